@@ -1,0 +1,37 @@
+/* grid.h - a surface's heights as 32-bit integers of one scale (block scaling).
+ *
+ * One pass over the surface finds the range of its heights; then every height is
+ *     z = z_origin + zi * 2^z_exp,   |zi| <= 2^30,
+ * so one unit is the range times 2^-31 or less: five orders below a step on A4. If the caller lends cache
+ * memory for nx * ny heights, each point is evaluated once; otherwise rows are evaluated again when asked for.
+ * Points outside [zlo, zhi] (`set zrange`) are holes, as in gnuplot. */
+#ifndef GRID_H
+#define GRID_H
+
+#include <stddef.h>
+#include "scene/surface.h"
+
+typedef struct grid {
+    const surface_t *src;
+    int32_t nx, ny;
+    num_t z_min, z_max;   /* measured range of the defined points that are inside the limits */
+    num_t z_origin;       /* middle of the range */
+    int16_t z_exp;        /* see above */
+    bool has_lo, has_hi;  /* is there a `set zrange` limit */
+    num_t z_lo, z_hi;
+    int64_t holes;        /* undefined points */
+    int64_t evaluated;    /* points evaluated so far: the cost of a small memory shows here */
+    int32_t *cache;       /* nx * ny heights or NULL; GRID_HOLE marks a hole inside the cache only */
+} grid_t;
+
+/* Measures src. cache may be NULL or hold nx * ny entries, and must outlive g. lo, hi: limits or NULL.
+ * Returns 0, or ERR_EMPTY when no point is defined. tick (may be NULL) is called once a row, for progress. */
+int grid_measure(grid_t *g, const surface_t *src, const num_t *lo, const num_t *hi, int32_t *cache,
+                 void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx);
+/* Row j into zi[0..nx). hole[i] is 1 where the point is undefined and zi[i] is then 0; hole may be NULL
+ * when g->holes == 0. Returns the number of holes in the row. */
+int32_t grid_row(grid_t *g, int32_t j, int32_t *zi, uint8_t *hole);
+/* One height; false at a hole. */
+bool grid_height(grid_t *g, int32_t i, int32_t j, int32_t *zi);
+
+#endif

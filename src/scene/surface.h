@@ -1,0 +1,21 @@
+/* surface.h - what a surface is to the rest of the program: a grid of heights that can be asked for.
+ *
+ * A surface is never held as a whole. Its source is a compiled expression, a data file kept by the host, or
+ * rows of inline data; each implements three calls. Points may be asked for in any order, and again.
+ * Abscissae and ordinates strictly increase with the index: a source whose range runs backwards turns itself
+ * round. Ownership: the source outlives the surface; nothing is freed. */
+#ifndef SURFACE_H
+#define SURFACE_H
+
+#include "num/num.h"
+
+typedef struct surface {
+    int32_t nx; /* columns, >= 2 */
+    int32_t ny; /* rows, >= 2 */
+    void *ctx;  /* the source's own */
+    num_t (*x_of)(void *ctx, int32_t i);            /* 0 <= i < nx, always defined */
+    num_t (*y_of)(void *ctx, int32_t j);            /* 0 <= j < ny, always defined */
+    num_t (*z_of)(void *ctx, int32_t i, int32_t j); /* undefined at a hole */
+} surface_t;
+
+#endif
