@@ -1,0 +1,55 @@
+/* drawing.h - one page of strokes in memory: what the core's pen drew, kept until every file of it is written.
+ *
+ * A stroke is what the pen draws between lowering and lifting: one point where it goes down, then one or more
+ * where it goes to. Points are page lat (src/view/page.h). Costs 8 bytes a point and 8 a stroke; the core
+ * itself never holds a drawing, only the host does, because one drawing may become several files. */
+#ifndef DRAWING_H
+#define DRAWING_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "view/camera.h"
+#include "view/page.h"
+
+#define DRAWING_TITLE_MAX 128
+
+typedef struct drawing {
+    page_point_t *point; /* of all strokes, in drawing order */
+    size_t points, point_room;
+    size_t *first; /* index in point[] of the first point of each stroke */
+    size_t strokes, stroke_room;
+    bool lifted;                 /* the pen is up, over: */
+    page_point_t over;           /* where the next stroke begins, if it draws anything */
+    double camera_mm[3][4];      /* from (x, y, z, 1) to page mm: x = row 0 / row 2, y = row 1 / row 2 */
+    int32_t width_um, height_um; /* of the paper */
+    char title[DRAWING_TITLE_MAX];
+} drawing_t;
+
+/* How far the pen goes. */
+typedef struct drawing_length {
+    double down_mm; /* drawing */
+    double up_mm;   /* between strokes, from the origin to the first and from the last back to it */
+} drawing_length_t;
+
+/* An empty drawing on A4 landscape, camera the identity. It owns memory from its first point on. */
+void drawing_init(drawing_t *d);
+/* Forgets the strokes and keeps the memory, for the next page. */
+void drawing_clear(drawing_t *d);
+void drawing_free(drawing_t *d);
+
+/* The camera's rows 0 and 1 are lat per world unit; they are kept as mm. */
+void drawing_set_camera(drawing_t *d, const camera_t *c);
+/* Keeps at most DRAWING_TITLE_MAX - 1 bytes. */
+void drawing_set_title(drawing_t *d, const char *title);
+
+/* A sink that appends to d, which must outlive it. A move without a draw after it leaves nothing; a draw to where
+ * the pen already is makes a dot. Returns ERR_FULL when the machine has no memory left. */
+pen_sink_t drawing_sink(drawing_t *d);
+
+/* Stroke s < d->strokes: its *n >= 2 points. */
+const page_point_t *drawing_stroke(const drawing_t *d, size_t s, size_t *n);
+
+drawing_length_t drawing_measure(const drawing_t *d);
+
+#endif
