@@ -1,0 +1,40 @@
+/* config.h - every capacity of the program, with the arithmetic that turns it into bytes.
+ *
+ * The defaults are the desktop's. A board overrides them on the compiler's command line (-DCONFIG_LINE_MAX=256)
+ * and pays for what it takes; nothing is allocated anywhere else. A capacity that runs out is the ordinary
+ * error ERR_FULL with its name in the message. */
+#ifndef CONFIG_H
+#define CONFIG_H
+
+/* One logical line of commands, continuations joined, without its end (bytes). Held once for what was typed,
+ * once for replot, and once per level of `load`: (2 + CONFIG_LOAD_DEPTH) * (CONFIG_LINE_MAX + 1) bytes. */
+#ifndef CONFIG_LINE_MAX
+#define CONFIG_LINE_MAX 2048
+#endif
+
+/* How deep `load` may nest. 0 leaves out files altogether. */
+#ifndef CONFIG_LOAD_DEPTH
+#define CONFIG_LOAD_DEPTH 4
+#endif
+
+/* Characters read from a file at a time: one such buffer per level of `load` and one for data (bytes). */
+#ifndef CONFIG_READ_CHUNK
+#define CONFIG_READ_CHUNK 512
+#endif
+
+/* Surfaces or curves in one plot command: about 400 bytes each. */
+#ifndef CONFIG_PLOT_ITEMS
+#define CONFIG_PLOT_ITEMS 8
+#endif
+
+/* Columns of a data file that `using` may speak of: 16 bytes each. */
+#ifndef CONFIG_DATA_COLUMNS
+#define CONFIG_DATA_COLUMNS 32
+#endif
+
+/* Names of files, and prompts of `pause` (bytes). */
+#ifndef CONFIG_NAME_MAX
+#define CONFIG_NAME_MAX 200
+#endif
+
+#endif

@@ -1,0 +1,46 @@
+/* plot.h - what one plot command asks to be drawn: the boundary between the language and the drawing.
+ *
+ * The session builds a plot_t once the whole command is known to be right, and hands it to the port's plot().
+ * Everything in it lives until plot() returns. */
+#ifndef PLOT_H
+#define PLOT_H
+
+#include "config.h"
+#include "lang/settings.h"
+#include "scene/curve.h"
+#include "scene/mesh.h"
+#include "scene/surface.h"
+
+enum plot_kind {
+    PLOT_SURFACES, /* splot of expressions and data grids */
+    PLOT_CURVES,   /* plot */
+    PLOT_MESH,     /* splot of one triangulated terrain */
+};
+
+typedef struct plot_item {
+    const char *title; /* as typed with `title`, else the expression or file name; "" for notitle */
+    union {
+        struct {
+            surface_t surface; /* the grid that hidden lines are removed from: isosamples x isosamples, or the data */
+            /* With HIDDEN_NONE gnuplot draws isolines more finely than they lie apart: the lines of constant y are the
+             * rows of `rows`, with samples[0] points each, the lines of constant x the columns of `cols`, with
+             * samples[1] points each. For data both equal `surface`. */
+            surface_t rows, cols;
+            /* The height anywhere, for profiles that leave the grid; NULL for data. ctx is surface.ctx. */
+            num_t (*z_at)(void *ctx, num_t x, num_t y);
+        };
+        curve_t curve;
+        mesh_t mesh;
+    };
+} plot_item_t;
+
+typedef struct plot {
+    enum plot_kind kind;
+    int32_t n; /* items, 1 or more */
+    const plot_item_t *item;
+    /* As `set`, with the ranges given in this command in place of x, y, z. Points of data outside of the x and y
+     * ranges have already been left out; z limits are left to grid_measure(). */
+    const settings_t *settings;
+} plot_t;
+
+#endif
