@@ -1,0 +1,32 @@
+/* hidden.h - what the hidden-line kernels share: lent memory, a sink for the ink, and an account of the work.
+ *
+ * perimeter.h draws grid surfaces, horizon.h draws profiles. Both decide in pencil coordinates (view/chart.h)
+ * against an upper and a lower horizon (hidden/envelope.h) and emit pieces of lines of the scene (hidden/ink.h). */
+#ifndef HIDDEN_H
+#define HIDDEN_H
+
+#include "hidden/ink.h"
+#include <stddef.h>
+
+/* The job's surroundings. All of it must stay valid until the kernel returns; nothing is kept afterwards. */
+typedef struct hidden_job {
+    void *mem;              /* working memory, aligned to 8 bytes; contents need not be cleared */
+    size_t bytes;           /* its size: rows first, the rest holds the horizons */
+    const ink_sink_t *sink; /* takes the visible pieces; an error it returns ends the kernel */
+    void (*tick)(void *ctx, int32_t done, int32_t of); /* once a row (profile), for progress; may be NULL */
+    void *tick_ctx;
+} hidden_job_t;
+
+/* What a drawing took. Filled in also when the kernel ends with an error. */
+typedef struct hidden_stats {
+    int64_t facets;                 /* facets (horizon: profile segments) that took part: those at holes do not */
+    int64_t edges;                  /* edges clipped, each once */
+    int64_t tests;                  /* orientation tests, two 32x32->64 products each */
+    int64_t crossings;              /* crossings found: the only places that divide */
+    int64_t pieces;                 /* pieces given to the sink */
+    int64_t evaluated;              /* points evaluated while drawing */
+    int32_t peak_upper, peak_lower; /* most vertices each horizon had */
+    size_t bytes;                   /* lent memory that was used, at its peak */
+} hidden_stats_t;
+
+#endif

@@ -1,0 +1,23 @@
+/* horizon.h - profiles without their hidden parts (P. Greenspun and J. J. Little 1988).
+ *
+ * Profiles come front to back; each is clipped against the horizons that the nearer ones left, and raises them. The
+ * paper recurses over lists; this is the same clip as an iteration over the envelope of hidden/envelope.h. An
+ * infinite surface (the paper's) shows its upper side only; a finite one has a lower horizon as well. */
+#ifndef HORIZON_H
+#define HORIZON_H
+
+#include "hidden/hidden.h"
+#include "scene/profiles.h"
+#include "view/camera.h"
+
+/* Draws the visible pieces of the profiles into job->sink, family INK_PROFILE, `line` the profile, the parameter
+ * counts its vertices. Each point is evaluated twice: once to find the scale, once to draw.
+ * Returns 0, ERR_EMPTY when no point is defined, ERR_FULL when the horizons do not fit, ERR_UNSUPPORTED when the
+ * eye is not in front of the nearest profile, or the sink's error. */
+int horizon_draw(const profiles_t *src, const camera_t *cam, bool infinite, const hidden_job_t *job,
+                 hidden_stats_t *stats);
+
+/* Memory for `vertices` horizon vertices (both horizons together). */
+size_t horizon_bytes(int32_t vertices);
+
+#endif
