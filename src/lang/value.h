@@ -1,0 +1,53 @@
+/* value.h - what an expression yields: an integer, a real, or nothing.
+ *
+ * As in gnuplot, integers are 64 bits wide and stay integers under + - * / % ** and the bit operators; a
+ * result that does not fit becomes real. VALUE_UNDEF stands for gnuplot's NaN and for every undefined result.
+ *
+ * Layout: a real value has exactly the bytes of its num_t (kind takes the place of num_t's undef flag), so that the
+ * evaluator moves results without converting them; value.c asserts it. 16 bytes. */
+#ifndef VALUE_H
+#define VALUE_H
+
+#include "num/num.h"
+#include <stddef.h>
+#include <string.h>
+
+enum value_kind {
+    VALUE_REAL = 0,
+    VALUE_UNDEF = 1,
+    VALUE_INT = 2,
+};
+
+typedef struct value {
+    int64_t m;    /* the integer, or the significand of the real */
+    int16_t e;    /* 0, or the exponent of the real */
+    uint8_t kind; /* enum value_kind */
+} value_t;
+
+static inline value_t value_int(int64_t i) {
+    return (value_t){i, 0, VALUE_INT};
+}
+static inline value_t value_undef(void) {
+    return (value_t){0, 0, VALUE_UNDEF};
+}
+/* An undefined number becomes VALUE_UNDEF. */
+static inline value_t value_real(num_t n) {
+    value_t v;
+    memcpy(&v, &n, sizeof v);
+    return v;
+}
+/* The real number that v stands for: an integer is converted, nothing stays undefined. */
+static inline num_t value_num(value_t v) {
+    num_t n;
+    if (v.kind == VALUE_INT) return num_from_i64(v.m);
+    memcpy(&n, &v, sizeof n);
+    return n;
+}
+
+/* Writes v as gnuplot's `print` does, ended by a zero: integers in decimal, reals by %.15g with ".0" added when there
+ * is neither a point nor an exponent, VALUE_UNDEF as NaN. buf holds VALUE_TEXT_MAX bytes or more.
+ * Returns the number of bytes before the zero. */
+#define VALUE_TEXT_MAX 26
+size_t value_format(value_t v, char buf[VALUE_TEXT_MAX]);
+
+#endif
