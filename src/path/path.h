@@ -1,0 +1,78 @@
+/* path.h - from visible ink to strokes: joined, ordered, simplified, in bounded memory.
+ *
+ *     ink pieces -> join (runs through nodes) -> pool -> chain (ends that meet) -> order (pen-up travel)
+ *                -> emit (vertices again, through the map) -> simplify -> pen sink
+ *
+ * The pool holds runs, not points: PATH_BYTES_PER_RUN bytes each with all that ordering needs. When it is full, what
+ * is there is ordered, the first strokes of that order are drawn, and the rest stays to meet what is still to come. So
+ * any amount of memory from PATH_BYTES_MIN on draws everything; more memory means fewer strokes and less
+ * travel (tests/property/test_path_random.c prints how much).
+ * The result depends on the pieces, the configuration and the pool's size only, on every target.
+ *
+ * Cost per piece: a few comparisons. Per run: two points to place it, near-linear ordering whose operations are counted
+ * and bounded (never timed), one point for each of its vertices. */
+#ifndef PATH_H
+#define PATH_H
+
+#include "path/join.h"
+#include "path/pool.h"
+#include "path/simplify.h"
+
+typedef struct path_config {
+    int32_t step_lat;  /* one motor step; 410 at 80 steps/mm. All tolerances derive from it: ends within a quarter
+                          step are joined, vertices within an eighth are merged, strokes shorter than one are dropped */
+    int32_t lines;     /* lines that grow at the same time: the grid's columns, or its profiles. Fewer is allowed, see
+                          join.h; 0 means 1 */
+    int32_t effort;    /* improvement operations per run (see order.h); 0 leaves the greedy order */
+    bool in_order;     /* true: strokes in the order they come, only joined */
+    page_point_t home; /* where the pen starts and where it goes after the last stroke */
+} path_config_t;
+
+typedef struct path_stats {
+    int64_t pieces;         /* taken from the kernel */
+    int64_t runs;           /* after joining */
+    int64_t strokes;        /* drawn: so often the pen is lowered */
+    int64_t dots;           /* strokes below one step, not drawn */
+    int64_t lost;           /* runs whose ends the map did not find on the paper, not drawn */
+    int64_t vertices;       /* computed */
+    int64_t draws;          /* left after merging */
+    int64_t flushes;        /* how often the pool was full */
+    int64_t down_lat;       /* length drawn */
+    int64_t up_lat;         /* length travelled, from home to home */
+    int64_t up_arrival_lat; /* what it would be if each run were drawn alone, in the order they came */
+    size_t bytes;           /* memory used */
+} path_stats_t;
+
+typedef struct path {
+    path_config_t config;
+    const ink_map_t *map;
+    const pen_sink_t *pen;
+    join_t join;
+    pool_t pool;
+    simplify_t simplify;
+    page_point_t at, arrival_at; /* where the pen is, and would be without ordering */
+    page_point_t drawn_at;       /* last point given to the pen */
+    path_stats_t stats;
+} path_t;
+
+/* Bytes for a pool of `runs` runs and `lines` lines growing at the same time (lines rounded up to a power of two). */
+#define PATH_BYTES_PER_RUN POOL_BYTES_PER_RUN
+#define PATH_BYTES(runs, lines) (JOIN_BYTES(lines) + POOL_BYTES(runs) + 16)
+#define PATH_BYTES_MIN PATH_BYTES(POOL_RUNS_MIN, 1)
+
+/* Defaults for a machine of so many steps per mm (q16 as in machine_t; the coarser axis). */
+void path_default(path_config_t *c, uint32_t steps_per_mm_q16);
+/* Prepares p in mem (any alignment, owned by the caller until path_finish). At most an eighth of mem goes to open runs,
+ * the rest is the pool. map and pen must outlive p. Returns 0, ERR_FULL when bytes < PATH_BYTES_MIN, or ERR_VALUE for a
+ * step_lat below 8. */
+int path_init(path_t *p, void *mem, size_t bytes, const path_config_t *c, const ink_map_t *map, const pen_sink_t *pen);
+/* Where a kernel puts its ink; any order, any family, several kernels one after another. Errors: ERR_VALUE for a piece
+ * outside run.h's ranges, else what the pen sink returned. */
+ink_sink_t path_sink(path_t *p);
+/* A flat polyline of so many vertices as one piece of family INK_CURVE. */
+int path_polyline(path_t *p, uint8_t surface, int32_t line, int32_t vertices);
+/* Draws all that is left. The pen is not sent home: that is the machine's. Returns 0 or the error of the pen sink;
+ * stats may be NULL. */
+int path_finish(path_t *p, path_stats_t *stats);
+
+#endif
