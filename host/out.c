@@ -1,0 +1,129 @@
+/* out.c - numbers by table of three digits at a time; the decimals of a lat come out of one product. */
+#include "host/out.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "error.h"
+#include "view/page.h"
+
+/* "000" ... "999", padded to four bytes so that one store writes an entry. */
+static char digits3[1000][4];
+static bool digits_ready;
+
+static void make_digits(void) {
+    for (int i = 0; i < 1000; i++) {
+        digits3[i][0] = (char)('0' + i / 100);
+        digits3[i][1] = (char)('0' + i / 10 % 10);
+        digits3[i][2] = (char)('0' + i % 10);
+        digits3[i][3] = 0;
+    }
+    digits_ready = true;
+}
+
+int out_open(out_t *o, const char *path) {
+    if (!digits_ready) make_digits();
+    o->failed = false;
+    o->used = 0;
+    o->fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    return o->fd < 0 ? ERR_FILE : 0;
+}
+
+static void flush(out_t *o) {
+    const char *p = o->buffer;
+    size_t left = o->used;
+    o->used = 0;
+    while (left && !o->failed) {
+        ssize_t n = write(o->fd, p, left);
+        if (n > 0) {
+            p += n;
+            left -= (size_t)n;
+        } else if (errno != EINTR) {
+            o->failed = true;
+        }
+    }
+}
+
+int out_close(out_t *o) {
+    flush(o);
+    if (close(o->fd) != 0) o->failed = true;
+    return o->failed ? ERR_FILE : 0;
+}
+
+char *out_reserve(out_t *o, size_t n) {
+    if (OUT_BUFFER - o->used < n) flush(o);
+    return o->buffer + o->used;
+}
+
+void out_commit(out_t *o, const char *end) {
+    o->used = (size_t)(end - o->buffer);
+}
+
+void out_text(out_t *o, const char *s) {
+    size_t n = strlen(s);
+    while (n) {
+        size_t part = n < 4096 ? n : 4096;
+        char *p = out_reserve(o, part);
+        memcpy(p, s, part);
+        out_commit(o, p + part);
+        s += part;
+        n -= part;
+    }
+}
+
+void out_format(out_t *o, const char *format, ...) {
+    char line[1024];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(line, sizeof line, format, args);
+    va_end(args);
+    out_text(o, line);
+}
+
+/* A non-negative integer without leading zeros. */
+static char *put_u32(char *p, uint32_t v) {
+    if (v >= 1000) {
+        p = put_u32(p, v / 1000); /* at most three deep */
+        memcpy(p, digits3[v % 1000], 4);
+        return p + 3;
+    }
+    const char *d = digits3[v];
+    if (v >= 100) *p++ = d[0];
+    if (v >= 10) *p++ = d[1];
+    *p++ = d[2];
+    return p;
+}
+
+char *out_put_int(char *p, int32_t v) {
+    if (v < 0) *p++ = '-';
+    return put_u32(p, v < 0 ? 0u - (uint32_t)v : (uint32_t)v);
+}
+
+/* |lat| split into mm and lat below a mm. The fraction times 10^6 plus a half is below 2^15 * 10^6 < 2^35, and
+ * the greatest, 32767/32768, rounds to .999969: never up to the next mm. */
+char *out_put_mm6(char *p, int32_t lat) {
+    uint32_t u = lat < 0 ? 0u - (uint32_t)lat : (uint32_t)lat;
+    if (lat < 0) *p++ = '-';
+    p = put_u32(p, u >> LAT_PER_MM_BITS);
+    uint32_t micro = (uint32_t)(((uint64_t)(u & (LAT_PER_MM - 1)) * 1000000 + LAT_PER_MM / 2) >> LAT_PER_MM_BITS);
+    *p++ = '.';
+    memcpy(p, digits3[micro / 1000], 4);
+    memcpy(p + 3, digits3[micro % 1000], 4);
+    return p + 6;
+}
+
+char *out_put_mm3(char *p, int32_t lat) {
+    uint32_t u = lat < 0 ? 0u - (uint32_t)lat : (uint32_t)lat;
+    uint64_t um = ((uint64_t)u * 1000 + LAT_PER_MM / 2) >> LAT_PER_MM_BITS;
+    if (lat < 0 && um) *p++ = '-';
+    p = put_u32(p, (uint32_t)(um / 1000));
+    const char *d = digits3[um % 1000];
+    int decimals = d[2] != '0' ? 3 : d[1] != '0' ? 2 : d[0] != '0' ? 1 : 0;
+    if (decimals) *p++ = '.';
+    memcpy(p, d, 4);
+    return p + decimals;
+}

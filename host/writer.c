@@ -1,0 +1,55 @@
+/* writer.c - one table of suffixes. */
+#include "host/writer.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "error.h"
+#include "host/gcode.h"
+#include "host/hpgl.h"
+#include "host/picture.h"
+#include "host/seg.h"
+#include "host/svg.h"
+
+typedef struct writer {
+    const char *suffix;
+    int (*write)(const drawing_t *d, const char *path); /* one of the two */
+    int (*write_for)(const drawing_t *d, const machine_t *machine, const char *path);
+} writer_t;
+
+static const writer_t WRITERS[] = {
+    {".svg", svg_write, NULL},     {".png", picture_write_png, NULL}, {".pdf", picture_write_pdf, NULL},
+    {".seg", seg_write, NULL},     {".hpgl", hpgl_write, NULL},       {".plt", hpgl_write, NULL},
+    {".gcode", NULL, gcode_write},
+};
+
+/* Where the suffix of the last part of the path begins, or its end. */
+static const char *suffix_of(const char *path) {
+    const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
+    return dot && (!slash || dot > slash + 1) && dot != path ? dot : path + strlen(path);
+}
+
+static const writer_t *find(const char *path) {
+    const char *suffix = suffix_of(path);
+    for (size_t i = 0; i < sizeof WRITERS / sizeof WRITERS[0]; i++)
+        if (strcasecmp(suffix, WRITERS[i].suffix) == 0) return &WRITERS[i];
+    return NULL;
+}
+
+bool writer_knows(const char *path) {
+    return find(path) != NULL;
+}
+
+int writer_write(const drawing_t *d, const machine_t *machine, const char *path) {
+    const writer_t *w = find(path);
+    if (!w) return ERR_VALUE;
+    return w->write ? w->write(d, path) : w->write_for(d, machine, path);
+}
+
+bool writer_page_name(char *name, size_t room, const char *path, int page) {
+    const char *suffix = suffix_of(path);
+    int n = page <= 1 ? snprintf(name, room, "%s", path)
+                      : snprintf(name, room, "%.*s-%d%s", (int)(suffix - path), path, page, suffix);
+    return n >= 0 && (size_t)n < room;
+}

@@ -1,0 +1,296 @@
+/* test_drawing.c - strokes as they were drawn, and the files of every format read back against them. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "error.h"
+#include "host/drawing.h"
+#include "host/writer.h"
+
+static uint32_t seed = 1;
+static uint32_t random_below(uint32_t n) {
+    seed = seed * 1664525u + 1013904223u;
+    return (uint32_t)(((uint64_t)seed * n) >> 32);
+}
+
+static page_point_t random_point(void) {
+    return (page_point_t){(int32_t)random_below(297 * LAT_PER_MM), (int32_t)random_below(210 * LAT_PER_MM)};
+}
+
+static void fill(drawing_t *d, size_t strokes, uint32_t longest) {
+    pen_sink_t sink = drawing_sink(d);
+    for (size_t s = 0; s < strokes; s++) {
+        sink.move(sink.ctx, random_point());
+        for (uint32_t n = random_below(longest) + 1; n; n--) sink.draw(sink.ctx, random_point());
+    }
+}
+
+static char name[64];
+static const char *temporary(const char *suffix) {
+    snprintf(name, sizeof name, "/tmp/ridgeline-test-%d%s", (int)getpid(), suffix);
+    return name;
+}
+
+static char *slurp(const char *path) {
+    FILE *f = fopen(path, "rb");
+    assert_non_null(f);
+    assert_int_equal(fseek(f, 0, SEEK_END), 0);
+    long size = ftell(f);
+    rewind(f);
+    char *text = malloc((size_t)size + 1);
+    assert_non_null(text);
+    assert_int_equal(fread(text, 1, (size_t)size, f), size);
+    text[size] = 0;
+    fclose(f);
+    remove(path);
+    return text;
+}
+
+static double mm(int32_t lat) {
+    return (double)lat / LAT_PER_MM;
+}
+
+static void strokes_are_kept(void **state) {
+    (void)state;
+    drawing_t d;
+    drawing_init(&d);
+    pen_sink_t s = drawing_sink(&d);
+    page_point_t a = {1, 2}, b = {3, 4}, c = {-5, 6};
+    s.move(s.ctx, c);
+    s.move(s.ctx, a); /* the first move led to nothing */
+    s.draw(s.ctx, b);
+    s.draw(s.ctx, b);
+    s.move(s.ctx, c);
+    s.draw(s.ctx, c); /* a dot */
+    s.move(s.ctx, a); /* and nothing after the last */
+    assert_int_equal(d.strokes, 2);
+    size_t n;
+    const page_point_t *p = drawing_stroke(&d, 0, &n);
+    assert_int_equal(n, 3);
+    assert_memory_equal(&p[0], &a, sizeof a);
+    assert_memory_equal(&p[2], &b, sizeof b);
+    p = drawing_stroke(&d, 1, &n);
+    assert_int_equal(n, 2);
+    assert_memory_equal(&p[1], &c, sizeof c);
+    drawing_clear(&d);
+    assert_int_equal(d.strokes, 0);
+    fill(&d, 3000, 5);
+    assert_int_equal(d.strokes, 3000);
+    drawing_free(&d);
+}
+
+static void length_counts_travel_from_and_to_the_origin(void **state) {
+    (void)state;
+    drawing_t d;
+    drawing_init(&d);
+    pen_sink_t s = drawing_sink(&d);
+    s.move(s.ctx, (page_point_t){3 * LAT_PER_MM, 4 * LAT_PER_MM});
+    s.draw(s.ctx, (page_point_t){3 * LAT_PER_MM, 16 * LAT_PER_MM});
+    s.move(s.ctx, (page_point_t){0, 16 * LAT_PER_MM});
+    s.draw(s.ctx, (page_point_t){0, 10 * LAT_PER_MM});
+    drawing_length_t len = drawing_measure(&d);
+    assert_true(fabs(len.down_mm - 18) < 1e-12);
+    assert_true(fabs(len.up_mm - (5 + 3 + 10)) < 1e-12);
+    drawing_free(&d);
+}
+
+static void camera_is_kept_in_mm(void **state) {
+    (void)state;
+    camera_t c = {.m = {{{.m = (int64_t)3 << 61, .e = -61 + 15}}}};
+    c.m[2][3] = (num_t){.m = (int64_t)1 << 62, .e = -62};
+    drawing_t d;
+    drawing_init(&d);
+    drawing_set_camera(&d, &c);
+    assert_true(d.camera_mm[0][0] == 3 && d.camera_mm[2][3] == 1 && d.camera_mm[1][1] == 0);
+}
+
+static void seg_reads_back_to_the_lat(void **state) {
+    (void)state;
+    drawing_t d;
+    drawing_init(&d);
+    for (int i = 0; i < 12; i++) d.camera_mm[i / 4][i % 4] = sin(i + 1) * pow(10, i - 6);
+    fill(&d, 500, 20);
+    assert_int_equal(writer_write(&d, NULL, temporary(".seg")), 0);
+    char *text = slurp(name), *p = text;
+    assert_memory_equal(p, "# camera ", 9);
+    p += 9;
+    for (int i = 0; i < 12; i++) assert_true(strtod(p, &p) == d.camera_mm[i / 4][i % 4]);
+    for (size_t s = 0; s < d.strokes; s++) {
+        size_t n;
+        const page_point_t *q = drawing_stroke(&d, s, &n);
+        for (size_t i = 1; i < n; i++) {
+            assert_int_equal(*p++, '\n');
+            const int32_t want[4] = {q[i - 1].x_lat, q[i - 1].y_lat, q[i].x_lat, q[i].y_lat};
+            for (int k = 0; k < 4; k++) {
+                char *point = strchr(p, '.');
+                assert_int_equal(lround(strtod(p, &p) * LAT_PER_MM), want[k]);
+                assert_int_equal(p - point, 7); /* 6 decimals */
+            }
+        }
+    }
+    assert_string_equal(p, "\n");
+    free(text);
+    drawing_free(&d);
+}
+
+static void svg_reads_back(void **state) {
+    (void)state;
+    drawing_t d;
+    drawing_init(&d);
+    drawing_set_title(&d, "a < b & \"c\"");
+    fill(&d, 200, 10);
+    assert_int_equal(writer_write(&d, NULL, temporary(".svg")), 0);
+    char *text = slurp(name), *p = text;
+    assert_non_null(strstr(text, "width=\"297mm\" height=\"210mm\" viewBox=\"0 0 297 210\""));
+    assert_non_null(strstr(text, "<title>a &lt; b &amp; \"c\"</title>"));
+    assert_non_null(strstr(text, "stroke-width=\"0.3\" stroke-linecap=\"round\""));
+    for (size_t s = 0; s < d.strokes; s++) {
+        size_t n;
+        const page_point_t *q = drawing_stroke(&d, s, &n);
+        p = strstr(p, "d=\"");
+        assert_non_null(p);
+        p += 3;
+        for (size_t i = 0; i < n; i++) {
+            assert_int_equal(*p++, i == 0 ? 'M' : i == 1 ? 'L' : ' ');
+            assert_true(fabs(strtod(p, &p) - mm(q[i].x_lat)) <= 0.00051);
+            assert_int_equal(*p++, ',');
+            assert_true(fabs(strtod(p, &p) - (210 - mm(q[i].y_lat))) <= 0.00051);
+        }
+        assert_memory_equal(p, "\"/>", 3);
+    }
+    assert_null(strstr(p, "d=\""));
+    free(text);
+    drawing_free(&d);
+}
+
+static void hpgl_reads_back(void **state) {
+    (void)state;
+    drawing_t d;
+    drawing_init(&d);
+    fill(&d, 200, 90);
+    pen_sink_t sink = drawing_sink(&d);
+    sink.move(sink.ctx, (page_point_t){LAT_PER_MM, LAT_PER_MM}); /* shorter than a plotter unit */
+    sink.draw(sink.ctx, (page_point_t){LAT_PER_MM + 1, LAT_PER_MM});
+    assert_int_equal(writer_write(&d, NULL, temporary(".PLT")), 0);
+    char *text = slurp(name), *p = text;
+    assert_memory_equal(p, "IN;SP1;", 7);
+    p += 7;
+    for (size_t s = 0; s < d.strokes; s++) {
+        size_t n;
+        const page_point_t *q = drawing_stroke(&d, s, &n);
+        for (size_t i = 0; i < n; i++) {
+            p += strcspn(p, "PU,D");
+            while (strchr("PUD,", *p)) p++;
+            assert_true(fabs((double)strtol(p, &p, 10) - 40 * mm(q[i].x_lat)) <= 0.5);
+            assert_int_equal(*p++, ',');
+            assert_true(fabs((double)strtol(p, &p, 10) - 40 * mm(q[i].y_lat)) <= 0.5);
+        }
+    }
+    assert_string_equal(p, ";\nPU0,0;SP0;\n");
+    assert_non_null(strstr(text, "PU40,40;\nPD40,40;"));
+    free(text);
+    drawing_free(&d);
+}
+
+static void gcode_says_what_a_plotter_does(void **state) {
+    (void)state;
+    drawing_t d;
+    drawing_init(&d);
+    pen_sink_t s = drawing_sink(&d);
+    s.move(s.ctx, (page_point_t){LAT_PER_MM, 2 * LAT_PER_MM});
+    s.draw(s.ctx, (page_point_t){3 * LAT_PER_MM / 2, 10 * LAT_PER_MM + 33}); /* 10.001 mm */
+    s.draw(s.ctx, (page_point_t){0, 0});
+    machine_t m = {.draw_speed_um_s = 100000, .lift_us = 100000, .lower_us = 1250000};
+    assert_int_equal(writer_write(&d, &m, temporary(".gcode")), 0);
+    char *text = slurp(name);
+    assert_non_null(strstr(text, "\nG21\nG90\nM5\nG4 P0.100\n"
+                                 "G0 X1 Y2\nM3 S1000\nG4 P1.250\nG1 F6000 X1.5 Y10.001\nX0 Y0\nM5\nG4 P0.100\n"
+                                 "G0 X0 Y0\nM2\n"));
+    free(text);
+    drawing_free(&d);
+}
+
+static void pictures_are_what_they_say(void **state) {
+    (void)state;
+    drawing_t d;
+    drawing_init(&d);
+    drawing_set_title(&d, "hill");
+    fill(&d, 5, 1000);
+    assert_int_equal(writer_write(&d, NULL, temporary(".png")), 0);
+    char *text = slurp(name);
+    assert_memory_equal(text, "\x89PNG\r\n", 6);
+    assert_memory_equal(text + 16, "\x00\x00\x09\x23\x00\x00\x06\x76", 8); /* 2339 x 1654 */
+    free(text);
+    assert_int_equal(writer_write(&d, NULL, temporary(".pdf")), 0);
+    text = slurp(name);
+    assert_memory_equal(text, "%PDF-", 5);
+    free(text);
+    drawing_free(&d);
+}
+
+static void names_and_failures(void **state) {
+    (void)state;
+    char page[20];
+    assert_true(writer_page_name(page, sizeof page, "a.b/c.svg", 1));
+    assert_string_equal(page, "a.b/c.svg");
+    assert_true(writer_page_name(page, sizeof page, "a.b/c.svg", 12));
+    assert_string_equal(page, "a.b/c-12.svg");
+    assert_true(writer_page_name(page, sizeof page, "a.b/c", 2));
+    assert_string_equal(page, "a.b/c-2");
+    assert_false(writer_page_name(page, sizeof page, "a-long-long-long-name.svg", 1));
+    assert_true(writer_knows("x.SVG") && writer_knows("./x.gcode") && writer_knows("x.plt"));
+    assert_false(writer_knows("svg") || writer_knows("x.svg/y") || writer_knows("x.") || writer_knows(".svg"));
+    drawing_t d;
+    drawing_init(&d);
+    fill(&d, 2, 2);
+    static const char *const suffix[] = {"svg", "png", "pdf", "seg", "hpgl"};
+    for (size_t i = 0; i < sizeof suffix / sizeof suffix[0]; i++) {
+        char path[64];
+        snprintf(path, sizeof path, "/nonexistent/x.%s", suffix[i]);
+        assert_int_equal(writer_write(&d, NULL, path), ERR_FILE);
+    }
+    assert_int_equal(writer_write(&d, NULL, "x.doc"), ERR_VALUE);
+    assert_int_equal(writer_write(&d, NULL, "/dev/full/x.svg"), ERR_FILE);
+    drawing_free(&d);
+}
+
+static void large_drawings_are_written_fast(void **state) {
+    (void)state;
+    drawing_t d;
+    drawing_init(&d);
+    fill(&d, 4000, 200);
+    double segments = (double)(d.points - d.strokes);
+    static const char *const suffix[] = {".seg", ".svg", ".hpgl"};
+    for (size_t i = 0; i < 3; i++) {
+        clock_t start = clock();
+        assert_int_equal(writer_write(&d, NULL, temporary(suffix[i])), 0);
+        double ns = (double)(clock() - start) / CLOCKS_PER_SEC * 1e9 / segments;
+        remove(name);
+        printf("# %s: %.0f ns a segment, %.1f million segments\n", suffix[i] + 1, ns, segments / 1e6);
+    }
+    drawing_free(&d);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(strokes_are_kept),
+        cmocka_unit_test(length_counts_travel_from_and_to_the_origin),
+        cmocka_unit_test(camera_is_kept_in_mm),
+        cmocka_unit_test(seg_reads_back_to_the_lat),
+        cmocka_unit_test(svg_reads_back),
+        cmocka_unit_test(hpgl_reads_back),
+        cmocka_unit_test(gcode_says_what_a_plotter_does),
+        cmocka_unit_test(pictures_are_what_they_say),
+        cmocka_unit_test(names_and_failures),
+        cmocka_unit_test(large_drawings_are_written_fast),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
