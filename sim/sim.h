@@ -1,0 +1,41 @@
+/* sim.h - the simulator's side of hal.h: a virtual clock and a recorder below the pins.
+ *
+ * There is one simulated machine per program. hal_idle() moves the clock to the armed deadline and calls stepgen_isr();
+ * nothing else moves it, so a run takes no longer than its computing and repeats exactly. With no deadline armed,
+ * hal_idle() lets SIM_IDLE_TICKS pass. */
+#ifndef SIM_H
+#define SIM_H
+
+#include "hal/hal.h"
+#include <stdint.h>
+
+#define SIM_IDLE_TICKS (HAL_TICK_HZ / 1000)
+
+/* Called for every write that changes a pin: all pins after it, and which of them changed. tick counts from sim_reset
+ * and never wraps. */
+typedef void (*sim_recorder_t)(void *ctx, uint64_t tick, uint32_t pins, uint32_t changed);
+
+/* Back to tick 0, all pins 0, no recorder, no faults injected. */
+void sim_reset(void);
+/* recorder may be NULL. Stays until sim_reset. */
+void sim_record(sim_recorder_t recorder, void *ctx);
+uint64_t sim_now(void);
+uint32_t sim_pins(void);
+/* Message of the last hal_fault since sim_reset, or NULL. */
+const char *sim_fault(void);
+/* Lets virtual time pass, serving deadlines: as a main loop that is busy elsewhere would. */
+void sim_run(uint64_t ticks);
+
+/* Fault injection: every `period`-th deadline is served `late` ticks late (period 0: none). */
+void sim_inject_late(uint32_t period, uint32_t late);
+/* The 32-bit clock starts here instead of 0 (to test wrap-around); ticks reported still count from 0. */
+void sim_set_clock(uint32_t now);
+
+typedef struct sim_counts {
+    uint64_t deadlines; /* interrupts served */
+    uint64_t past;      /* armed for a tick that had already gone by */
+    uint64_t edges;     /* pin changes */
+} sim_counts_t;
+sim_counts_t sim_counts(void);
+
+#endif

@@ -1,0 +1,76 @@
+/* motion.h - from strokes on the page to pins: the stage that moves the plotter.
+ *
+ *     pen_sink -> planner (speeds) -> tracer (lines to timed pieces) -> stepgen (interrupt) -> hal.h
+ *
+ * Usage: motion_init, hand motion_pen_sink to the stage that orders ink, motion_finish. The drawing starts and ends at
+ * home (page origin 0,0), pen up, motors off. The sink's calls block while the queue of pieces is full
+ * and let the machine run through hal_idle(). Time of a drawing is within 1 % of infinite look-ahead as long as the
+ * ring of blocks covers the stopping distance (v^2/2a; 5 mm by default).
+ *
+ * Moves are lazy: consecutive moves collapse, a move to where the pen already is does not lift it, and
+ * a stroke of one point is a dot. Vertices closer than a quarter step to the last planned one are
+ * skipped, except at a stroke's end. */
+#ifndef MOTION_H
+#define MOTION_H
+
+#include "motion/kinematics.h"
+#include "motion/machine.h"
+#include "motion/planner.h"
+#include "motion/stepgen.h"
+#include "motion/tracer.h"
+#include "view/page.h"
+#include <stddef.h>
+
+typedef struct motion_stats {
+    uint64_t steps[2];         /* pulses per motor */
+    int32_t position_steps[2]; /* motors at the end; 0, 0 after motion_finish */
+    uint64_t down_lat, up_lat; /* length drawn and travelled; 2^15 lat = 1 mm */
+    uint32_t strokes, lifts;   /* pen lowered and lifted so often */
+    uint64_t ticks;            /* from motors on to motors off, HAL_TICK_HZ */
+    uint32_t max_speed_um_s;
+    uint32_t starved;      /* the queue ran dry while moving or with the pen down: must be 0 */
+    uint32_t late;         /* deadlines served so late that the plan had to slip */
+    uint32_t forced;       /* blocks planned with too little look-ahead */
+    uint32_t memory_bytes; /* of the caller's memory in use */
+} motion_stats_t;
+
+typedef struct motion {
+    machine_t machine;
+    kinematics_t kin;
+    planner_t planner;
+    tracer_t tracer;
+    uint32_t draw_top_q3, travel_top_q3;
+    bool estimate; /* no stepping, only the time */
+    bool started, down, pending_move, pending_vertex;
+    page_point_t at; /* last planned vertex */
+    page_point_t move_to, vertex;
+    int32_t near_lat;     /* a quarter step */
+    int32_t reach_lat[2]; /* soft limits; 0 = none */
+    int error;
+    motion_stats_t stats;
+} motion_t;
+
+/* Bytes of memory for so many blocks of look-ahead and pieces of queue (a power of two). */
+#define MOTION_BYTES(blocks, pieces) ((blocks) * sizeof(planner_block_t) + (pieces) * sizeof(stepgen_piece_t) + 16)
+#define MOTION_BYTES_MIN MOTION_BYTES(8, 8)     /* works, but looks ahead 8 segments only */
+#define MOTION_BYTES_SMALL MOTION_BYTES(32, 16) /* a small board */
+#define MOTION_BYTES_HOST MOTION_BYTES(512, 64) /* 5 mm of look-ahead in segments of 0.01 mm */
+
+/* Prepares a drawing. machine is copied. mem: the caller's until motion_finish, aligned to 8 bytes; about a quarter
+ * becomes the queue of pieces (at most 64), the rest look-ahead. Only one motion_t that steps can be active, as there
+ * is one step interrupt; any number that estimate can be.
+ * Returns 0, ERR_FULL (mem below MOTION_BYTES_MIN), ERR_MACHINE (a number of the machine is out of range:
+ * 1..65535 steps/mm, speeds 1 um/s..4 m/s, acceleration 1 mm/s^2..100 m/s^2, and no axis faster than pulse width and
+ * direction set-up allow: interval >= 2 * (pulse + max(pulse, set-up) + 1 us)). */
+int motion_init(motion_t *m, const machine_t *machine, void *mem, size_t bytes);
+/* The same planner without steps: motion_finish tells the time, lengths and lifts (steps stay 0). No hal call is made.
+ * Cost: about 50 ns per segment on a desktop. */
+int motion_init_estimate(motion_t *m, const machine_t *machine, void *mem, size_t bytes);
+/* Takes strokes. move and draw return 0, ERR_MACHINE (outside the machine's reach: nothing of the move is stepped; or
+ * outside +-4 m) or the error of an earlier call. Context: main loop. */
+pen_sink_t motion_pen_sink(motion_t *m);
+/* Lifts the pen, goes home, waits until everything is stepped, switches the motors off; also after an error.
+ * stats may be NULL. Returns 0 or the first error. */
+int motion_finish(motion_t *m, motion_stats_t *stats);
+
+#endif

@@ -1,0 +1,56 @@
+/* stepgen.h - the step interrupt: consumes pieces, drives pins through hal.h. Simple and dumb on purpose.
+ *
+ * A piece is a span of time in which each motor takes some steps in one direction at intervals that change linearly:
+ * the first at `first`, then `interval`, growing by `add` each time. The motors are timed independently, so each steps
+ * at its own exact moments instead of at the other one's. The interrupt only adds and compares: no multiplication, no
+ * division. A step is two deadlines, pulse begin and pulse end; equal deadlines share one write of the pins.
+ *
+ *      piece         |<------------------ length ------------------>|
+ *      motor A       |   first   |interval|interval+add|  ...       |
+ *      motor B       |first|     ...
+ *
+ * DIR changes when a piece is taken (or when the running pulse ends); the producer leaves pulse + set-up between the
+ * last step of one direction and the first of the other. Served late by more than half a pulse width, the interrupt
+ * slips everything still to come, so widths, set-up and intervals stay legal and no step is lost.
+ *
+ * Queue: single producer (main loop), single consumer (interrupt); each index has one writer and a slot is
+ * written before its index is released. */
+#ifndef STEPGEN_H
+#define STEPGEN_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct stepgen_axis_piece {
+    uint64_t first_q32;    /* ticks from the end of the piece before to the first pulse */
+    uint64_t interval_q32; /* ticks to the second */
+    int64_t add_q32;       /* then added to the interval each time */
+    uint32_t count;        /* pulses; 0: the rest is ignored */
+    bool forward;          /* level of DIR */
+} stepgen_axis_piece_t;
+
+typedef struct stepgen_piece {
+    stepgen_axis_piece_t axis[2];
+    uint32_t length; /* ticks, below 2^30; no pulse begins later than this */
+    bool set_pins;   /* at the start of the piece write pen and enable; such a piece has no steps */
+    uint8_t pins;    /* HAL_PEN, HAL_ENABLE */
+    bool rest;       /* the machine stands still at the end: running dry there is no fault */
+} stepgen_piece_t;
+
+/* queue: slots pieces, a power of two, the caller's until the next init. Stops what runs. Context: main loop. */
+void stepgen_init(stepgen_piece_t *queue, uint32_t slots, uint32_t pulse_ticks);
+/* The slot to fill next, or NULL when the queue is full. Context: main loop. */
+stepgen_piece_t *stepgen_slot(void);
+/* Hands the filled slot to the interrupt. Context: main loop. */
+void stepgen_push(void);
+/* Starts the interrupt if it stands still and there is something to do. Context: main loop. */
+void stepgen_start(void);
+/* True when every piece has been carried out. */
+bool stepgen_idle(void);
+/* Pulses counted at the pins, with sign. Exact when idle. */
+int32_t stepgen_position(int motor);
+/* Times the queue ran dry away from a rest; deadlines that made the plan slip. */
+uint32_t stepgen_starved(void);
+uint32_t stepgen_late(void);
+
+#endif
