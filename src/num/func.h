@@ -23,7 +23,7 @@ num_t func_sinh(num_t a);
 num_t func_cosh(num_t a);
 num_t func_tanh(num_t a);
 num_t func_erf(num_t a);
-num_t func_norm(num_t a); /* the normal distribution's integral */
+num_t func_norm(num_t a);  /* the normal distribution's integral */
 num_t func_gamma(num_t a); /* undefined at 0, -1, -2, ... */
 num_t func_besj0(num_t a);
 num_t func_besj1(num_t a);

@@ -1,0 +1,112 @@
+/* Scaled integers. The four hot operations are in num_fast.h; here are their callable forms and the rest. */
+#include "num/num.h"
+#include "num/num_fast.h"
+
+_Static_assert(-1 >> 1 == -1, "right shift of a negative number must be arithmetic");
+_Static_assert(sizeof(num_t) == 16, "num_t must travel in two registers");
+
+num_t num_undef(void) {
+    return (num_t){0, 0, true};
+}
+
+num_t num_from_i64(int64_t v) {
+    return num_from_fixed(v, 0);
+}
+
+num_t num_from_fixed(int64_t v, int frac_bits) {
+    return num_fast_normal(ints_abs64(v), -frac_bits, v);
+}
+
+int64_t num_to_fixed(num_t a, int frac_bits, bool *ok) {
+    return num_fast_to_fixed(a, frac_bits, ok);
+}
+
+num_t num_add(num_t a, num_t b) {
+    return num_fast_add(a, b);
+}
+
+num_t num_sub(num_t a, num_t b) {
+    return num_fast_sub(a, b);
+}
+
+num_t num_mul(num_t a, num_t b) {
+    return num_fast_mul(a, b);
+}
+
+num_t num_div(num_t a, num_t b) {
+    if (a.undef || b.m == 0) return num_undef();
+    if (a.m == 0) return a;
+    uint64_t n = ints_abs64(a.m), d = ints_abs64(b.m), r;
+    int t = n >= d; /* so that the quotient has 63 bits */
+    uint64_t q = wide_div_u64(n >> (1 + t), n << (63 - t), d, &r);
+    q += r >= d - r; /* stays below 2^63: q + 1 == 2^63 would need n / d > 2 - 2^-63 */
+    return num_fast_make(ints_with_sign(q, a.m ^ b.m), a.e - b.e - 63 + t);
+}
+
+num_t num_neg(num_t a) {
+    return num_fast_neg(a);
+}
+
+num_t num_abs(num_t a) {
+    a.m = a.m < 0 ? -a.m : a.m;
+    return a;
+}
+
+num_t num_ldexp(num_t a, int shift) {
+    if (a.m == 0) return a;
+    return num_fast_make(a.m, a.e + shift);
+}
+
+num_t num_sqrt(num_t a) {
+    if (a.m <= 0) return a.m == 0 ? a : num_undef();
+    /* root of X = m * 2^k, k = 62 or 63 such that the exponent halves: in [2^62, 2^63) */
+    int odd = a.e & 1;
+    uint64_t m = (uint64_t)a.m, hi = m >> (2 - odd), lo = m << (62 + odd), rem;
+    /* One Newton step from 31 good bits; the mean of y and X/y is never below the root, and too large by
+     * less than 2. */
+    uint64_t y = (uint64_t)ints_sqrt_u64(m << odd) << 31;
+    uint64_t q = wide_div_u64(hi, lo, y, &rem);
+    y = (y + q) >> 1;
+    wide_u_t sq = wide_mul_u64(y, y);
+    if (sq.hi > hi || (sq.hi == hi && sq.lo > lo)) y--;
+    return num_fast_make((int64_t)y, (a.e - 62 - odd) / 2);
+}
+
+num_t num_ipow(num_t a, int32_t n) {
+    num_t r = num_from_i64(1);
+    if (a.undef) return a;
+    for (uint32_t k = n < 0 ? 0u - (uint32_t)n : (uint32_t)n; k != 0; k >>= 1) {
+        if (k & 1) r = num_fast_mul(r, a);
+        if (k > 1) a = num_fast_mul(a, a);
+    }
+    if (n < 0) return r.undef ? num_from_i64(0) : num_div(num_from_i64(1), r);
+    return r;
+}
+
+int num_cmp(num_t a, num_t b) {
+    return num_fast_cmp(a, b);
+}
+
+int num_sign(num_t a) {
+    return (a.m > 0) - (a.m < 0);
+}
+
+num_t num_trunc(num_t a) {
+    if (a.e >= 0) return a;
+    if (a.e <= -63) return (num_t){0, 0, false};
+    uint64_t u = ints_abs64(a.m) >> -a.e << -a.e;
+    return (num_t){ints_with_sign(u, a.m), a.e, false};
+}
+
+num_t num_floor(num_t a) {
+    num_t t = num_trunc(a);
+    return a.m < 0 && t.m != a.m ? num_sub(t, num_from_i64(1)) : t;
+}
+
+num_t num_ceil(num_t a) {
+    return num_neg(num_floor(num_neg(a)));
+}
+
+bool num_is_integer(num_t a) {
+    return !a.undef && num_trunc(a).m == a.m;
+}
