@@ -3,11 +3,34 @@
  *     (X, Y, E) = M (x, y, z, 1);   page x = X / E, page y = Y / E, in lat (2^-15 mm)
  *
  * Parallel views have the last row 0 0 0 1. In perspective E is the depth in front of the eye in world units,
- * and only points with E > 0 are seen. */
+ * and only points with E > 0 are seen.
+ *
+ * Two kinds of view:
+ *   rotation     gnuplot's `set view rot_x, rot_z, scale, zscale`. The box of the axes becomes the cube [-1,1]^3, is turned
+ *                by rot_z about z and by rot_x about the page's x, and lands in the printable area with 4/7 of
+ *                its width and height to the unit times scale/2: gnuplot's own figures, so the pictures overlay.
+ *   from ... to  a true perspective in data coordinates, upright (z up), fitted to the printable area by the eight
+ *                corners of the scene's box. Whatever lies more than CAMERA_MAX_SLOPE off the axis does not
+ *                count for the fit, so an eye inside the scene still gets a useful picture; it is cut later. */
 #ifndef CAMERA_H
 #define CAMERA_H
 
+#include "lang/settings.h"
 #include "num/num.h"
+#include "view/page.h"
+
+#define CAMERA_MAX_SLOPE_TENTHS 15 /* 56 degrees to either side */
+
+/* The scene's box: the axes' ranges, lo < hi; reverse turns an axis round (rotation view only). */
+typedef struct view_box {
+    num_t lo[3], hi[3];
+    bool reverse[3];
+} view_box_t;
+
+/* The part of the paper that may be drawn on, in lat. */
+typedef struct page_window {
+    int32_t x0_lat, y0_lat, x1_lat, y1_lat;
+} page_window_t;
 
 typedef struct camera {
     bool perspective;
@@ -15,6 +38,13 @@ typedef struct camera {
     /* What hidden-line kernels need: the eye, or for a parallel view the direction from the scene to the eye
      * (unnormalised). Visibility depends on nothing else. */
     num_t eye[3];
+    page_window_t window;
 } camera_t;
+
+/* Sets cam up. Returns 0; ERR_VALUE if the view is degenerate (eye at the point looked at, box
+ * entirely behind the eye, paper smaller than its margins). */
+int camera_setup(camera_t *cam, const settings_t *s, const view_box_t *box);
+/* Homogeneous page coordinates of a world point (exact to the precision of num_t; set-up and slow paths only). */
+void camera_project(const camera_t *cam, const num_t world[3], num_t out[3]);
 
 #endif

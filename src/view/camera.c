@@ -1,0 +1,185 @@
+/* camera.c - see camera.h. All of it is set-up, once a picture, so it is written in num_t and for clarity. */
+#include "view/camera.h"
+
+#include "error.h"
+#include "num/func.h"
+
+enum { X, Y, Z };
+
+static num_t half(num_t a) {
+    return num_ldexp(a, -1);
+}
+
+static num_t middle(const view_box_t *b, int axis) {
+    return half(num_add(b->lo[axis], b->hi[axis]));
+}
+
+static num_t dot(const num_t a[3], const num_t b[3]) {
+    return num_add(num_add(num_mul(a[0], b[0]), num_mul(a[1], b[1])), num_mul(a[2], b[2]));
+}
+
+static void cross(const num_t a[3], const num_t b[3], num_t out[3]) {
+    for (int k = 0; k < 3; k++) {
+        int l = (k + 1) % 3, n = (k + 2) % 3;
+        out[k] = num_sub(num_mul(a[l], b[n]), num_mul(a[n], b[l]));
+    }
+}
+
+/* False if v has no length. */
+static bool normalise(num_t v[3]) {
+    num_t length = num_sqrt(dot(v, v));
+    if (length.undef || num_sign(length) <= 0) return false;
+    for (int k = 0; k < 3; k++) v[k] = num_div(v[k], length);
+    return true;
+}
+
+static int window_setup(page_window_t *w, const settings_t *s) {
+    /* um to lat: * 2^15 / 1000. */
+    int64_t margin = s->paper.margin_um;
+    int64_t x1 = s->paper.width_um - margin, y1 = s->paper.height_um - margin;
+    if (margin < 0 || x1 <= margin || y1 <= margin) return ERR_VALUE;
+    w->x0_lat = (int32_t)(margin * LAT_PER_MM / 1000);
+    w->y0_lat = w->x0_lat;
+    w->x1_lat = (int32_t)(x1 * LAT_PER_MM / 1000);
+    w->y1_lat = (int32_t)(y1 * LAT_PER_MM / 1000);
+    return 0;
+}
+
+/* Row `row` of the matrix := direction . (world - origin) * scale + offset * (row E). */
+static void set_row(camera_t *cam, int row, const num_t direction[3], const num_t origin[3], num_t scale) {
+    for (int k = 0; k < 3; k++) cam->m[row][k] = num_mul(direction[k], scale);
+    cam->m[row][3] = num_neg(num_mul(dot(direction, origin), scale));
+}
+
+static int setup_rotation(camera_t *cam, const settings_t *s, const view_box_t *box) {
+    const num_t degree = num_div(func_pi(), num_from_i64(180));
+    const num_t ax = num_mul(s->view.rot_x, degree), az = num_mul(s->view.rot_z, degree);
+    const num_t cx = func_cos(ax), sx = func_sin(ax), cz = func_cos(az), sz = func_sin(az);
+
+    num_t unit[3], origin[3]; /* world unit -> cube unit */
+    for (int k = 0; k < 3; k++) {
+        num_t span = num_sub(box->hi[k], box->lo[k]);
+        unit[k] = num_div(num_from_i64(box->reverse[k] ? -2 : 2), span);
+        origin[k] = middle(box, k);
+    }
+    unit[Z] = num_mul(unit[Z], s->view.zscale);
+    if (num_sign(unit[Z]) == 0 || unit[Z].undef) return ERR_VALUE;
+
+    const num_t right[3] = {num_mul(cz, unit[X]), num_mul(sz, unit[Y]), num_from_i64(0)};
+    const num_t up[3] = {num_neg(num_mul(num_mul(sz, cx), unit[X])), num_mul(num_mul(cz, cx), unit[Y]),
+                         num_mul(sx, unit[Z])};
+    /* The cube's side is 2; gnuplot gives it 4/7 of the window at scale 1. */
+    const num_t per_unit = num_mul(half(s->view.scale), num_div(num_from_i64(4), num_from_i64(7)));
+    const page_window_t *w = &cam->window;
+    set_row(cam, 0, right, origin, num_mul(per_unit, num_from_i64(w->x1_lat - w->x0_lat)));
+    set_row(cam, 1, up, origin, num_mul(per_unit, num_from_i64(w->y1_lat - w->y0_lat)));
+    cam->m[0][3] = num_add(cam->m[0][3], num_from_fixed((int64_t)w->x0_lat + w->x1_lat, 1));
+    cam->m[1][3] = num_add(cam->m[1][3], num_from_fixed((int64_t)w->y0_lat + w->y1_lat, 1));
+    cam->m[2][3] = num_from_i64(1);
+
+    /* The direction that both rows send to zero, towards the eye. */
+    cam->eye[X] = num_div(num_mul(sx, sz), unit[X]);
+    cam->eye[Y] = num_neg(num_div(num_mul(sx, cz), unit[Y]));
+    cam->eye[Z] = num_div(cx, unit[Z]);
+    return 0;
+}
+
+/* Bounds of the slopes (X/E, Y/E) over the box's corners in front of the eye, clamped to the useful cone. */
+typedef struct slopes {
+    num_t lo[2], hi[2];
+    bool any;
+} slopes_t;
+
+static void slopes_add(slopes_t *s, const num_t h[3]) {
+    const num_t limit = num_from_decimal(CAMERA_MAX_SLOPE_TENTHS, -1);
+    for (int k = 0; k < 2; k++) {
+        num_t v = num_div(h[k], h[2]);
+        if (num_cmp(v, limit) > 0) v = limit;
+        if (num_cmp(v, num_neg(limit)) < 0) v = num_neg(limit);
+        if (!s->any || num_cmp(v, s->lo[k]) < 0) s->lo[k] = v;
+        if (!s->any || num_cmp(v, s->hi[k]) > 0) s->hi[k] = v;
+    }
+    s->any = true;
+}
+
+/* Corners, and where an edge of the box passes behind the eye, the point just in front of it. */
+static void slopes_of_box(slopes_t *s, const camera_t *cam, const view_box_t *box) {
+    num_t h[8][3], near = num_from_i64(0);
+    for (int c = 0; c < 8; c++) {
+        num_t p[3];
+        for (int k = 0; k < 3; k++) p[k] = c >> k & 1 ? box->hi[k] : box->lo[k];
+        camera_project(cam, p, h[c]);
+        if (num_cmp(h[c][2], near) > 0) near = h[c][2];
+    }
+    near = num_ldexp(near, -10);
+    for (int c = 0; c < 8; c++) {
+        bool front = num_cmp(h[c][2], near) > 0;
+        if (front) slopes_add(s, h[c]);
+        for (int k = 0; k < 3; k++) {
+            int d = c | 1 << k;
+            if (d == c || front == (num_cmp(h[d][2], near) > 0)) continue;
+            num_t t = num_div(num_sub(near, h[c][2]), num_sub(h[d][2], h[c][2])), q[3];
+            for (int n = 0; n < 3; n++) q[n] = num_add(h[c][n], num_mul(t, num_sub(h[d][n], h[c][n])));
+            slopes_add(s, q);
+        }
+    }
+}
+
+static int setup_perspective(camera_t *cam, const settings_t *s, const view_box_t *box) {
+    num_t forward[3], right[3], up[3] = {num_from_i64(0), num_from_i64(0), num_from_i64(1)};
+    for (int k = 0; k < 3; k++) {
+        cam->eye[k] = s->view.eye[k];
+        forward[k] = num_sub(s->view.has_to ? s->view.to[k] : middle(box, k), cam->eye[k]);
+    }
+    if (!normalise(forward)) return ERR_VALUE;
+    cross(forward, up, right);
+    if (!normalise(right)) { /* straight up or down: y is up on the page */
+        up[Y] = num_from_i64(1);
+        up[Z] = num_from_i64(0);
+        cross(forward, up, right);
+        normalise(right);
+    }
+    cross(right, forward, up);
+
+    const num_t one = num_from_i64(1);
+    set_row(cam, 0, right, cam->eye, one);
+    set_row(cam, 1, up, cam->eye, one);
+    set_row(cam, 2, forward, cam->eye, one);
+    slopes_t fit = {.any = false};
+    slopes_of_box(&fit, cam, box);
+    if (!fit.any) return ERR_VALUE;
+
+    const page_window_t *w = &cam->window;
+    num_t span_x = num_sub(fit.hi[0], fit.lo[0]), span_y = num_sub(fit.hi[1], fit.lo[1]);
+    num_t width = num_from_i64(w->x1_lat - w->x0_lat), height = num_from_i64(w->y1_lat - w->y0_lat);
+    /* width / span_x against height / span_y without dividing by a span that may be zero */
+    bool wide = num_cmp(num_mul(width, span_y), num_mul(height, span_x)) <= 0;
+    if (num_sign(wide ? span_x : span_y) <= 0) return ERR_VALUE;
+    num_t scale = wide ? num_div(width, span_x) : num_div(height, span_y);
+    const num_t centre[2] = {num_from_fixed((int64_t)w->x0_lat + w->x1_lat, 1),
+                             num_from_fixed((int64_t)w->y0_lat + w->y1_lat, 1)};
+    for (int r = 0; r < 2; r++) {
+        num_t shift = num_sub(centre[r], num_mul(scale, half(num_add(fit.lo[r], fit.hi[r]))));
+        for (int k = 0; k < 4; k++)
+            cam->m[r][k] = num_add(num_mul(cam->m[r][k], scale), num_mul(cam->m[2][k], shift));
+    }
+    return 0;
+}
+
+int camera_setup(camera_t *cam, const settings_t *s, const view_box_t *box) {
+    *cam = (camera_t){.perspective = s->view.from};
+    int err = window_setup(&cam->window, s);
+    if (err) return err;
+    err = s->view.from ? setup_perspective(cam, s, box) : setup_rotation(cam, s, box);
+    if (err) return err;
+    for (int r = 0; r < 3; r++)
+        for (int k = 0; k < 4; k++)
+            if (cam->m[r][k].undef) return ERR_VALUE;
+    for (int k = 0; k < 3; k++)
+        if (cam->eye[k].undef) return ERR_VALUE;
+    return 0;
+}
+
+void camera_project(const camera_t *cam, const num_t world[3], num_t out[3]) {
+    for (int r = 0; r < 3; r++) out[r] = num_add(dot(cam->m[r], world), cam->m[r][3]);
+}
