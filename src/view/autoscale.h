@@ -1,8 +1,8 @@
 /* autoscale.h - the ranges of an autoscaled axis, rounded outward to whole tics as gnuplot does.
  *
  * A range that the user left open follows the data and then widens to the next multiple of the tic step, so
- * that a picture overlays gnuplot's. The step is 0.05, 0.1, 0.2, 0.5, 1, 2 or more times the power of ten below the span,
- * chosen for roughly ten tics. An empty range widens by 1 % of its value, or to [-1:1] at zero. */
+ * that a picture overlays gnuplot's. The step is 0.05, 0.1, 0.2, 0.5, 1, 2 or more times the power of ten below the
+ * span, chosen for roughly ten tics. An empty range widens by 1 % of its value, or to [-1:1] at zero. */
 #ifndef AUTOSCALE_H
 #define AUTOSCALE_H
 

@@ -160,8 +160,7 @@ static int setup_perspective(camera_t *cam, const settings_t *s, const view_box_
                              num_from_fixed((int64_t)w->y0_lat + w->y1_lat, 1)};
     for (int r = 0; r < 2; r++) {
         num_t shift = num_sub(centre[r], num_mul(scale, half(num_add(fit.lo[r], fit.hi[r]))));
-        for (int k = 0; k < 4; k++)
-            cam->m[r][k] = num_add(num_mul(cam->m[r][k], scale), num_mul(cam->m[2][k], shift));
+        for (int k = 0; k < 4; k++) cam->m[r][k] = num_add(num_mul(cam->m[r][k], scale), num_mul(cam->m[2][k], shift));
     }
     return 0;
 }

@@ -6,18 +6,18 @@
  * and only points with E > 0 are seen.
  *
  * Two kinds of view:
- *   rotation     gnuplot's `set view rot_x, rot_z, scale, zscale`. The box of the axes becomes the cube [-1,1]^3, is turned
- *                by rot_z about z and by rot_x about the page's x, and lands in the printable area with 4/7 of
- *                its width and height to the unit times scale/2: gnuplot's own figures, so the pictures overlay.
- *   from ... to  a true perspective in data coordinates, upright (z up), fitted to the printable area by the eight
- *                corners of the scene's box. Whatever lies more than CAMERA_MAX_SLOPE off the axis does not
- *                count for the fit, so an eye inside the scene still gets a useful picture; it is cut later. */
+ *   rotation     gnuplot's `set view rot_x, rot_z, scale, zscale`. The box of the axes becomes the cube [-1,1]^3, is
+ * turned by rot_z about z and by rot_x about the page's x, and lands in the printable area with 4/7 of its width and
+ * height to the unit times scale/2: gnuplot's own figures, so the pictures overlay. from ... to  a true perspective in
+ * data coordinates, upright (z up), fitted to the printable area by the eight corners of the scene's box. Whatever lies
+ * more than CAMERA_MAX_SLOPE off the axis does not count for the fit, so an eye inside the scene still gets a useful
+ * picture; it is cut later. */
 #ifndef CAMERA_H
 #define CAMERA_H
 
 #include "lang/settings.h"
 #include "num/num.h"
-#include "view/page.h"
+#include "view/line_space.h"
 
 #define CAMERA_MAX_SLOPE_TENTHS 15 /* 56 degrees to either side */
 
@@ -26,11 +26,6 @@ typedef struct view_box {
     num_t lo[3], hi[3];
     bool reverse[3];
 } view_box_t;
-
-/* The part of the paper that may be drawn on, in lat. */
-typedef struct page_window {
-    int32_t x0_lat, y0_lat, x1_lat, y1_lat;
-} page_window_t;
 
 typedef struct camera {
     bool perspective;

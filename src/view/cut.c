@@ -6,23 +6,23 @@
 #define PLANES 5
 
 /* Signed distances to the window's planes; >= 0 is inside. |h| < 2^60 and window * E < 2^60. */
-static void distances(const page_map_t *m, const page_h_t *h, int64_t out[PLANES]) {
-    const page_window_t *w = &m->cam->window;
+static void distances(const line_space_t *s, const page_h_t *h, int64_t out[PLANES]) {
+    const page_window_t *w = s->window;
     out[0] = h->x - w->x0_lat * h->e;
     out[1] = w->x1_lat * h->e - h->x;
     out[2] = h->y - w->y0_lat * h->e;
     out[3] = w->y1_lat * h->e - h->y;
-    out[4] = h->e - m->near_e;
+    out[4] = h->e - s->near_e;
 }
 
 /* The part [*from, *to] of one cell's stretch that is inside; false if none is. */
-static bool clip_cell(page_map_t *m, const ink_piece_t *p, int64_t *from, int64_t *to) {
+static bool clip_cell(const line_space_t *s, const ink_piece_t *p, int64_t *from, int64_t *to) {
     page_h_t h0, h1;
-    if (!page_map_homogeneous(m, p->family, p->line, *from, &h0)) return false;
-    if (!page_map_homogeneous(m, p->family, p->line, *to, &h1)) return false;
+    if (!s->at(s->ctx, p->family, p->line, *from, &h0)) return false;
+    if (!s->at(s->ctx, p->family, p->line, *to, &h1)) return false;
     int64_t d0[PLANES], d1[PLANES], a = *from, b = *to, length = b - a;
-    distances(m, &h0, d0);
-    distances(m, &h1, d1);
+    distances(s, &h0, d0);
+    distances(s, &h1, d1);
     for (int k = 0; k < PLANES; k++) {
         if (d0[k] >= 0 && d1[k] >= 0) continue;
         if (d0[k] < 0 && d1[k] < 0) return false;
@@ -43,14 +43,14 @@ static bool clip_cell(page_map_t *m, const ink_piece_t *p, int64_t *from, int64_
 
 static int cut_piece(void *ctx, const ink_piece_t *p) {
     cut_t *c = ctx;
-    page_map_t *m = &c->map[p->surface];
+    const line_space_t *s = &c->lines[p->surface];
     ink_piece_t out = *p;
     bool open = false;
     for (int64_t at = p->from_q30; at < p->to_q30;) {
         int64_t end = (at & ~(INK_ONE - 1)) + INK_ONE;
         if (end > p->to_q30) end = p->to_q30;
         int64_t from = at, to = end;
-        bool some = clip_cell(m, p, &from, &to);
+        bool some = clip_cell(s, p, &from, &to);
         if (open && (!some || from > at)) {
             int err = c->next.piece(c->next.ctx, &out);
             if (err) return err;

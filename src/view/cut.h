@@ -1,20 +1,21 @@
 /* cut.h - cuts ink to the printable part of the paper, and off what is behind the eye.
  *
  * An ink sink that hands on what is inside, in grid parameters again: the planes of the window are clipped
- * against each cell of a piece in homogeneous space (Liang and Barsky's parametric clip), so nothing is ever divided by a depth near
- * zero. Crossings are rounded inward by at most 2^-30 of a cell. If the whole grid is inside, use the next sink directly. */
+ * against each cell of a piece in homogeneous space (Liang and Barsky's parametric clip), so nothing is ever divided by
+ * a depth near zero. Crossings are rounded inward by at most 2^-30 of a cell. If the whole grid is inside, use the next
+ * sink directly. */
 #ifndef CUT_H
 #define CUT_H
 
 #include "hidden/ink.h"
-#include "view/page_map.h"
+#include "view/line_space.h"
 
 typedef struct cut {
-    page_map_t *map; /* one per surface of the scene */
+    const line_space_t *lines; /* one per surface of the scene: lines[p->surface] */
     ink_sink_t next;
 } cut_t;
 
-/* c->map[p->surface] says where pieces lie. c must outlive the sink. */
+/* c must outlive the sink. */
 ink_sink_t cut_sink(cut_t *c);
 
 #endif

@@ -8,7 +8,6 @@
 #define H_BITS 60
 #define E_BITS 35
 #define NEAR_SHIFT 20 /* nearest depth drawn: 2^-20 of the farthest */
-#define CLAMP_LAT 256 /* a rounded cut may fall outside of the window by this much, half a step */
 
 enum { K_X, K_Y, K_E };
 
@@ -24,18 +23,18 @@ static int bits_of(num_t v) {
 static page_h_t col_h(const page_map_t *m, int32_t i) {
     if (m->table) return m->table[i];
     num_t x = m->grid->src->x_of(m->grid->src->ctx, i);
-    page_h_t h = {num_to_fixed(num_mul(m->cam->m[K_X][0], x), m->frac_bits, NULL),
-                  num_to_fixed(num_mul(m->cam->m[K_Y][0], x), m->frac_bits, NULL),
-                  num_to_fixed(num_mul(m->cam->m[K_E][0], x), m->frac_bits, NULL)};
+    page_h_t h = {num_to_fixed(num_mul(m->cam->m[K_X][0], x), m->lines.frac_bits, NULL),
+                  num_to_fixed(num_mul(m->cam->m[K_Y][0], x), m->lines.frac_bits, NULL),
+                  num_to_fixed(num_mul(m->cam->m[K_E][0], x), m->lines.frac_bits, NULL)};
     return h;
 }
 
 static page_h_t row_h(const page_map_t *m, int32_t j) {
     if (m->table) return m->table[m->grid->nx + j];
     num_t y = m->grid->src->y_of(m->grid->src->ctx, j), z = m->grid->z_origin;
-    page_h_t h = {num_to_fixed(row_share(m->cam, K_X, y, z), m->frac_bits, NULL),
-                  num_to_fixed(row_share(m->cam, K_Y, y, z), m->frac_bits, NULL),
-                  num_to_fixed(row_share(m->cam, K_E, y, z), m->frac_bits, NULL)};
+    page_h_t h = {num_to_fixed(row_share(m->cam, K_X, y, z), m->lines.frac_bits, NULL),
+                  num_to_fixed(row_share(m->cam, K_Y, y, z), m->lines.frac_bits, NULL),
+                  num_to_fixed(row_share(m->cam, K_E, y, z), m->lines.frac_bits, NULL)};
     return h;
 }
 
@@ -80,36 +79,6 @@ static extent_t extent_of(const grid_t *g, const camera_t *cam) {
     return x;
 }
 
-int page_map_setup(page_map_t *m, grid_t *g, const camera_t *cam, void *memory) {
-    *m = (page_map_t){.grid = g, .cam = cam, .perspective = cam->perspective};
-    extent_t x = extent_of(g, cam);
-    /* Two spare bits: a sum of three shares, and interpolation. */
-    int by_xy = H_BITS - 2 - x.bits_xy, by_e = E_BITS - x.bits_e;
-    m->frac_bits = by_xy < by_e ? by_xy : by_e;
-    /* A parallel view has E == 1: fewer bits than none means a page of 2^58 lat. */
-    if (m->frac_bits < (cam->perspective ? -900 : 1) || m->frac_bits > 1000) return ERR_VALUE;
-    m->all_inside = x.inside;
-
-    for (int k = 0; k < 3; k++) {
-        /* One unit of zi is 2^z_exp; as a 31-bit mantissa and a right shift. */
-        num_t share = num_ldexp(cam->m[k][2], g->z_exp + m->frac_bits);
-        int shift = 30 - bits_of(share);
-        if (shift > 62) continue; /* far below one unit in all: no share */
-        if (shift < 0) return ERR_VALUE;
-        m->z_mul[k] = (int32_t)num_to_fixed(share, shift, NULL);
-        m->z_shift[k] = (uint8_t)shift;
-    }
-    int64_t far_e = num_to_fixed(num_ldexp(num_from_i64(1), x.bits_e), m->frac_bits, NULL);
-    m->near_e = cam->perspective ? far_e >> NEAR_SHIFT : 1;
-    if (memory) {
-        page_h_t *t = memory;
-        for (int32_t i = 0; i < g->nx; i++) t[i] = col_h(m, i);
-        for (int32_t j = 0; j < g->ny; j++) t[g->nx + j] = row_h(m, j);
-        m->table = t;
-    }
-    return 0;
-}
-
 static inline int64_t height_share(const page_map_t *m, int k, int32_t zi) {
     return (int64_t)zi * m->z_mul[k] >> m->z_shift[k];
 }
@@ -124,54 +93,47 @@ static bool vertex_h(page_map_t *m, int32_t i, int32_t j, page_h_t *h) {
     return true;
 }
 
-/* a + (b - a) * s / 2^30 for |a|, |b| < 2^61: the difference in two halves of 30 bits. */
-static int64_t lerp(int64_t a, int64_t b, int32_t s_q30) {
-    int64_t d = b - a;
-    return a + (d >> 30) * s_q30 + (((d & (INK_ONE - 1)) * s_q30) >> 30);
-}
-
-bool page_map_homogeneous(page_map_t *m, uint8_t family, int32_t line, int64_t t_q30, page_h_t *h) {
+static bool lines_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, page_h_t *h) {
+    page_map_t *m = ctx;
     int32_t at = (int32_t)(t_q30 >> 30), s = (int32_t)(t_q30 & (INK_ONE - 1));
     bool row = family == INK_ROW;
     if (!vertex_h(m, row ? at : line, row ? line : at, h)) return false;
     if (s == 0) return true;
     page_h_t next;
     if (!vertex_h(m, row ? at + 1 : line, row ? line : at + 1, &next)) return false;
-    h->x = lerp(h->x, next.x, s);
-    h->y = lerp(h->y, next.y, s);
-    h->e = lerp(h->e, next.e, s);
+    h->x = line_space_lerp(h->x, next.x, s);
+    h->y = line_space_lerp(h->y, next.y, s);
+    h->e = line_space_lerp(h->e, next.e, s);
     return true;
 }
 
-static inline int64_t div_nearest(int64_t n, int64_t d) {
-    return (n + ((n < 0) ? -(d >> 1) : d >> 1)) / d;
-}
+int page_map_setup(page_map_t *m, grid_t *g, const camera_t *cam, void *memory) {
+    *m = (page_map_t){.grid = g, .cam = cam};
+    m->lines = (line_space_t){.ctx = m, .at = lines_at, .window = &cam->window, .perspective = cam->perspective};
+    extent_t x = extent_of(g, cam);
+    /* Two spare bits: a sum of three shares, and interpolation. */
+    int by_xy = H_BITS - 2 - x.bits_xy, by_e = E_BITS - x.bits_e;
+    m->lines.frac_bits = by_xy < by_e ? by_xy : by_e;
+    /* A parallel view has E == 1: fewer bits than none means a page of 2^58 lat. */
+    if (m->lines.frac_bits < (cam->perspective ? -900 : 1) || m->lines.frac_bits > 1000) return ERR_VALUE;
+    m->lines.all_inside = x.inside;
 
-page_point_t page_map_divide(const page_map_t *m, const page_h_t *h) {
-    page_point_t p;
-    if (m->perspective) {
-        p.x_lat = (int32_t)div_nearest(h->x, h->e);
-        p.y_lat = (int32_t)div_nearest(h->y, h->e);
-    } else {
-        int64_t half = (int64_t)1 << (m->frac_bits - 1);
-        p.x_lat = (int32_t)((h->x + half) >> m->frac_bits);
-        p.y_lat = (int32_t)((h->y + half) >> m->frac_bits);
+    for (int k = 0; k < 3; k++) {
+        /* One unit of zi is 2^z_exp; as a 31-bit mantissa and a right shift. */
+        num_t share = num_ldexp(cam->m[k][2], g->z_exp + m->lines.frac_bits);
+        int shift = 30 - bits_of(share);
+        if (shift > 62) continue; /* far below one unit in all: no share */
+        if (shift < 0) return ERR_VALUE;
+        m->z_mul[k] = (int32_t)num_to_fixed(share, shift, NULL);
+        m->z_shift[k] = (uint8_t)shift;
     }
-    return p;
-}
-
-static int32_t clamp(int32_t v, int32_t lo, int32_t hi) {
-    return v < lo ? lo : v > hi ? hi : v;
-}
-
-bool page_map_point(page_map_t *m, uint8_t family, int32_t line, int64_t t_q30, page_point_t *out) {
-    page_h_t h;
-    if (!page_map_homogeneous(m, family, line, t_q30, &h) || h.e < m->near_e) return false;
-    *out = page_map_divide(m, &h);
-    if (m->all_inside) return true;
-    const page_window_t *w = &m->cam->window;
-    page_point_t in = {clamp(out->x_lat, w->x0_lat, w->x1_lat), clamp(out->y_lat, w->y0_lat, w->y1_lat)};
-    int64_t dx = (int64_t)in.x_lat - out->x_lat, dy = (int64_t)in.y_lat - out->y_lat;
-    *out = in;
-    return dx >= -CLAMP_LAT && dx <= CLAMP_LAT && dy >= -CLAMP_LAT && dy <= CLAMP_LAT;
+    int64_t far_e = num_to_fixed(num_ldexp(num_from_i64(1), x.bits_e), m->lines.frac_bits, NULL);
+    m->lines.near_e = cam->perspective ? far_e >> NEAR_SHIFT : 1;
+    if (memory) {
+        page_h_t *t = memory;
+        for (int32_t i = 0; i < g->nx; i++) t[i] = col_h(m, i);
+        for (int32_t j = 0; j < g->ny; j++) t[g->nx + j] = row_h(m, j);
+        m->table = t;
+    }
+    return 0;
 }

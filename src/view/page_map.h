@@ -17,30 +17,17 @@
 
 #define PAGE_MAP_BYTES(nx, ny) (((size_t)(nx) + (size_t)(ny)) * 3 * sizeof(int64_t))
 
-typedef struct page_h {
-    int64_t x, y, e;
-} page_h_t;
-
 typedef struct page_map {
     grid_t *grid;
     const camera_t *cam;
-    int frac_bits;
-    bool perspective;
-    bool all_inside;    /* the whole grid's box projects into the window: nothing needs cutting */
-    int64_t near_e;     /* points with less E are behind the eye or too close to it to be drawn */
+    line_space_t lines; /* the result: INK_ROW and INK_COL lines of the grid */
     int32_t z_mul[3];   /* height's share: zi * z_mul >> z_shift */
     uint8_t z_shift[3];
-    page_h_t *table;    /* nx columns, then ny rows; NULL: compute */
+    page_h_t *table; /* nx columns, then ny rows; NULL: compute */
 } page_map_t;
 
 /* g and cam must outlive m. memory: PAGE_MAP_BYTES(nx, ny) or NULL. Returns 0 or ERR_VALUE when the grid's box does
  * not project into 60 bits (coordinates beyond any use). */
 int page_map_setup(page_map_t *m, grid_t *g, const camera_t *cam, void *memory);
-/* Homogeneous coordinates of parameter t of a grid line; false at a hole. */
-bool page_map_homogeneous(page_map_t *m, uint8_t family, int32_t line, int64_t t_q30, page_h_t *h);
-/* The page point, clamped to the window by a hair (rounding of cuts); false if it is not on the paper. */
-bool page_map_point(page_map_t *m, uint8_t family, int32_t line, int64_t t_q30, page_point_t *out);
-/* Divides homogeneous coordinates out. e > 0. */
-page_point_t page_map_divide(const page_map_t *m, const page_h_t *h);
 
 #endif

@@ -1,0 +1,40 @@
+/* line_space.c - see line_space.h. */
+#include "view/line_space.h"
+
+#define CLAMP_LAT 256 /* a rounded cut may fall outside of the window by this much, half a step */
+
+/* The difference is taken in two halves of 30 bits, so that each product fits. */
+int64_t line_space_lerp(int64_t a, int64_t b, int32_t s_q30) {
+    int64_t d = b - a;
+    return a + (d >> 30) * s_q30 + (((d & (INK_ONE - 1)) * s_q30) >> 30);
+}
+
+static inline int64_t div_nearest(int64_t n, int64_t d) {
+    return (n + (n < 0 ? -(d >> 1) : d >> 1)) / d;
+}
+
+page_point_t line_space_divide(const line_space_t *s, const page_h_t *h) {
+    if (s->perspective) return (page_point_t){(int32_t)div_nearest(h->x, h->e), (int32_t)div_nearest(h->y, h->e)};
+    int64_t half = (int64_t)1 << (s->frac_bits - 1);
+    return (page_point_t){(int32_t)((h->x + half) >> s->frac_bits), (int32_t)((h->y + half) >> s->frac_bits)};
+}
+
+static int32_t clamp(int32_t v, int32_t lo, int32_t hi) {
+    return v < lo ? lo : v > hi ? hi : v;
+}
+
+static bool is_near(int32_t a, int32_t b) {
+    int64_t d = (int64_t)a - b;
+    return d >= -CLAMP_LAT && d <= CLAMP_LAT;
+}
+
+bool line_space_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t_q30, page_point_t *out) {
+    page_h_t h;
+    if (!s->at(s->ctx, family, line, t_q30, &h) || h.e < s->near_e) return false;
+    *out = line_space_divide(s, &h);
+    if (s->all_inside) return true;
+    page_point_t free = *out;
+    out->x_lat = clamp(free.x_lat, s->window->x0_lat, s->window->x1_lat);
+    out->y_lat = clamp(free.y_lat, s->window->y0_lat, s->window->y1_lat);
+    return is_near(free.x_lat, out->x_lat) && is_near(free.y_lat, out->y_lat);
+}

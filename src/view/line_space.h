@@ -1,0 +1,41 @@
+/* line_space.h - places on the lines of a scene, in homogeneous page coordinates.
+ *
+ * The stages after the hidden-line kernels know a point as (line, parameter) only (hidden/ink.h). A line space says
+ * where that is: H = (X, Y, E) with page = (X / E, Y / E) in lat, all int64_t in units of 2^-frac_bits, |X|, |Y| < 2^60
+ * and 0 < E < 2^35 in front of the eye, linear in the parameter between two vertices. Grids, profiles and flat curves
+ * each have their own; cutting and drawing are the same for all. */
+#ifndef LINE_SPACE_H
+#define LINE_SPACE_H
+
+#include "hidden/ink.h"
+#include "view/page.h"
+
+/* The part of the paper that may be drawn on, in lat. */
+typedef struct page_window {
+    int32_t x0_lat, y0_lat, x1_lat, y1_lat;
+} page_window_t;
+
+typedef struct page_h {
+    int64_t x, y, e;
+} page_h_t;
+
+typedef struct line_space {
+    void *ctx;
+    /* False where there is no such point (a hole). */
+    bool (*at)(void *ctx, uint8_t family, int32_t line, int64_t t_q30, page_h_t *h);
+    const page_window_t *window;
+    bool perspective;
+    bool all_inside; /* no point is outside of the window: nothing needs cutting */
+    int frac_bits;   /* parallel: E == 2^frac_bits everywhere, frac_bits > 0 */
+    int64_t near_e;  /* with less E a point is behind the eye or too close to it to be drawn */
+} line_space_t;
+
+/* a + (b - a) * s / 2^30 for |a|, |b| < 2^61: how `at` interpolates between vertices. */
+int64_t line_space_lerp(int64_t a, int64_t b, int32_t s_q30);
+/* Divides homogeneous coordinates out, to the nearest lat. h->e > 0. */
+page_point_t line_space_divide(const line_space_t *s, const page_h_t *h);
+/* The page point of a parameter, clamped to the window where a rounded cut fell outside by a hair; false if it is
+ * not on the paper. */
+bool line_space_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t_q30, page_point_t *out);
+
+#endif
