@@ -3,6 +3,8 @@
 
 #include "view/autoscale.h"
 
+#include <stddef.h>
+
 #define FRAC_BITS 26 /* 2^25 lat of paper leave room for curves that shoot far past it */
 #define FAR ((int64_t)1 << 59)
 
