@@ -42,4 +42,11 @@ int camera_setup(camera_t *cam, const settings_t *s, const view_box_t *box);
 /* Homogeneous page coordinates of a world point (exact to the precision of num_t; set-up and slow paths only). */
 void camera_project(const camera_t *cam, const num_t world[3], num_t out[3]);
 
+/* Prepares everything of a line space but ctx and at: the scale in which no homogeneous coordinate of the box [lo, hi]
+ * needs more than 60 bits, and whether all of the box is inside the window. Returns 0, or ERR_VALUE for coordinates
+ * beyond any use. */
+int camera_scale(const camera_t *cam, const num_t lo[3], const num_t hi[3], line_space_t *lines);
+/* A world point in the scale of lines. */
+page_h_t camera_point(const camera_t *cam, const line_space_t *lines, const num_t world[3]);
+
 #endif

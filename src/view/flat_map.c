@@ -46,18 +46,13 @@ static page_h_t frame_vertex(const flat_axes_t *a, int32_t line, int32_t at) {
     return h;
 }
 
-static void mix(page_h_t *h, const page_h_t *next, int32_t s_q30) {
-    h->x = line_space_lerp(h->x, next->x, s_q30);
-    h->y = line_space_lerp(h->y, next->y, s_q30);
-}
-
 static bool frame_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, page_h_t *h) {
     (void)family;
     int32_t at = (int32_t)(t_q30 >> 30), s = (int32_t)(t_q30 & (INK_ONE - 1));
     *h = frame_vertex(ctx, line, at);
     if (s) {
         page_h_t next = frame_vertex(ctx, line, at + 1);
-        mix(h, &next, s);
+        *h = line_space_mix(h, &next, s);
     }
     return true;
 }
@@ -105,7 +100,7 @@ static bool curve_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, pag
     page_h_t next;
     if (s == 0) return true;
     if (!curve_vertex(ctx, at + 1, &next)) return false;
-    mix(h, &next, s);
+    *h = line_space_mix(h, &next, s);
     return true;
 }
 

@@ -4,9 +4,13 @@
 #define CLAMP_LAT 256 /* a rounded cut may fall outside of the window by this much, half a step */
 
 /* The difference is taken in two halves of 30 bits, so that each product fits. */
-int64_t line_space_lerp(int64_t a, int64_t b, int32_t s_q30) {
+static int64_t lerp(int64_t a, int64_t b, int32_t s_q30) {
     int64_t d = b - a;
     return a + (d >> 30) * s_q30 + (((d & (INK_ONE - 1)) * s_q30) >> 30);
+}
+
+page_h_t line_space_mix(const page_h_t *a, const page_h_t *b, int32_t s_q30) {
+    return (page_h_t){lerp(a->x, b->x, s_q30), lerp(a->y, b->y, s_q30), lerp(a->e, b->e, s_q30)};
 }
 
 static inline int64_t div_nearest(int64_t n, int64_t d) {

@@ -30,8 +30,8 @@ typedef struct line_space {
     int64_t near_e;  /* with less E a point is behind the eye or too close to it to be drawn */
 } line_space_t;
 
-/* a + (b - a) * s / 2^30 for |a|, |b| < 2^61: how `at` interpolates between vertices. */
-int64_t line_space_lerp(int64_t a, int64_t b, int32_t s_q30);
+/* a + (b - a) * s / 2^30 in each coordinate, |a|, |b| < 2^61: how `at` interpolates between vertices. */
+page_h_t line_space_mix(const page_h_t *a, const page_h_t *b, int32_t s_q30);
 /* Divides homogeneous coordinates out, to the nearest lat. h->e > 0. */
 page_point_t line_space_divide(const line_space_t *s, const page_h_t *h);
 /* The page point of a parameter, clamped to the window where a rounded cut fell outside by a hair; false if it is
