@@ -4,6 +4,8 @@
 #include "error.h"
 #include "num/func.h"
 
+#include <stddef.h>
+
 enum { X, Y, Z };
 
 static num_t half(num_t a) {
@@ -51,10 +53,22 @@ static void set_row(camera_t *cam, int row, const num_t direction[3], const num_
     cam->m[row][3] = num_neg(num_mul(dot(direction, origin), scale));
 }
 
+/* Exact at whole quarter turns, so that a view along an axis is one. */
+static num_t sin_degrees(num_t a) {
+    num_t turn = num_from_i64(360);
+    a = num_sub(a, num_mul(turn, num_floor(num_div(a, turn))));
+    num_t quarters = num_div(a, num_from_i64(90));
+    if (num_is_integer(quarters)) {
+        static const int8_t SINE[4] = {0, 1, 0, -1};
+        return num_from_i64(SINE[num_to_fixed(quarters, 0, NULL) & 3]);
+    }
+    return func_sin(num_div(num_mul(a, func_pi()), num_from_i64(180)));
+}
+
 static int setup_rotation(camera_t *cam, const settings_t *s, const view_box_t *box) {
-    const num_t degree = num_div(func_pi(), num_from_i64(180));
-    const num_t ax = num_mul(s->view.rot_x, degree), az = num_mul(s->view.rot_z, degree);
-    const num_t cx = func_cos(ax), sx = func_sin(ax), cz = func_cos(az), sz = func_sin(az);
+    const num_t right_angle = num_from_i64(90);
+    const num_t sx = sin_degrees(s->view.rot_x), cx = sin_degrees(num_add(s->view.rot_x, right_angle));
+    const num_t sz = sin_degrees(s->view.rot_z), cz = sin_degrees(num_add(s->view.rot_z, right_angle));
 
     num_t unit[3], origin[3]; /* world unit -> cube unit */
     for (int k = 0; k < 3; k++) {
@@ -162,6 +176,23 @@ static int setup_perspective(camera_t *cam, const settings_t *s, const view_box_
         num_t shift = num_sub(centre[r], num_mul(scale, half(num_add(fit.lo[r], fit.hi[r]))));
         for (int k = 0; k < 4; k++) cam->m[r][k] = num_add(num_mul(cam->m[r][k], scale), num_mul(cam->m[2][k], shift));
     }
+    return 0;
+}
+
+int camera_flat(camera_t *cam, const settings_t *s, const num_t lo[2], const num_t hi[2]) {
+    *cam = (camera_t){.perspective = false};
+    int err = window_setup(&cam->window, s);
+    if (err) return err;
+    const page_window_t *w = &cam->window;
+    const int32_t from[2] = {w->x0_lat, w->y0_lat}, to[2] = {w->x1_lat, w->y1_lat};
+    for (int k = 0; k < 2; k++) {
+        num_t scale = num_div(num_from_i64(to[k] - from[k]), num_sub(hi[k], lo[k]));
+        if (scale.undef) return ERR_VALUE;
+        cam->m[k][k] = scale;
+        cam->m[k][3] = num_sub(num_from_i64(from[k]), num_mul(scale, lo[k]));
+    }
+    cam->m[2][3] = num_from_i64(1);
+    cam->eye[Z] = num_from_i64(1);
     return 0;
 }
 

@@ -39,6 +39,8 @@ typedef struct camera {
 /* Sets cam up. Returns 0; ERR_VALUE if the view is degenerate (eye at the point looked at, box
  * entirely behind the eye, paper smaller than its margins). */
 int camera_setup(camera_t *cam, const settings_t *s, const view_box_t *box);
+/* The flat view of `plot`: the axes' ranges fill the printable area, z is ignored. Returns as camera_setup. */
+int camera_flat(camera_t *cam, const settings_t *s, const num_t lo[2], const num_t hi[2]);
 /* Homogeneous page coordinates of a world point (exact to the precision of num_t; set-up and slow paths only). */
 void camera_project(const camera_t *cam, const num_t world[3], num_t out[3]);
 

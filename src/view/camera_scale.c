@@ -31,13 +31,14 @@ static bool is_inside(const page_window_t *w, const num_t h[3]) {
     return true;
 }
 
-static void extent_corner(extent_t *x, const camera_t *cam, const num_t p[3]) {
+/* One corner p of the box around middle: the sums, and the single shares of what is summed. */
+static void extent_corner(extent_t *x, const camera_t *cam, const num_t p[3], const num_t middle[3]) {
     num_t h[3];
     camera_project(cam, p, h);
     for (int k = 0; k < 3; k++) {
         int *most = k == 2 ? &x->bits_e : &x->bits_xy;
         for (int n = 0; n < 4; n++) {
-            int b = bits_of(n < 3 ? num_mul(cam->m[k][n], p[n]) : h[k]);
+            int b = bits_of(n < 3 ? num_mul(cam->m[k][n], num_sub(p[n], middle[n])) : h[k]);
             if (b > *most) *most = b;
         }
     }
@@ -46,9 +47,11 @@ static void extent_corner(extent_t *x, const camera_t *cam, const num_t p[3]) {
 
 int camera_scale(const camera_t *cam, const num_t lo[3], const num_t hi[3], line_space_t *lines) {
     extent_t x = {-NUM_EXP_LIMIT, -NUM_EXP_LIMIT, true};
+    num_t middle[3];
+    for (int k = 0; k < 3; k++) middle[k] = num_ldexp(num_add(lo[k], hi[k]), -1);
     for (int c = 0; c < 8; c++) {
         const num_t p[3] = {c & 1 ? hi[0] : lo[0], c & 2 ? hi[1] : lo[1], c & 4 ? hi[2] : lo[2]};
-        extent_corner(&x, cam, p);
+        extent_corner(&x, cam, p, middle);
     }
     /* Two spare bits: a sum of three shares, and interpolation. */
     int by_xy = H_BITS - 2 - x.bits_xy, by_e = E_BITS - x.bits_e;

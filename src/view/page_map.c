@@ -4,28 +4,25 @@
 #include "error.h"
 #include "hidden/ink.h"
 
-enum { K_X, K_Y, K_E };
-
-static num_t row_share(const camera_t *cam, int k, num_t y, num_t z_origin) {
-    return num_add(num_add(num_mul(cam->m[k][1], y), num_mul(cam->m[k][2], z_origin)), cam->m[k][3]);
+static page_h_t to_h(const page_map_t *m, const num_t v[3]) {
+    int f = m->lines.frac_bits;
+    return (page_h_t){num_to_fixed(v[0], f, NULL), num_to_fixed(v[1], f, NULL), num_to_fixed(v[2], f, NULL)};
 }
 
+/* Shares are taken from the middle of the grid, so that a scene far from the world's origin loses nothing. */
 static page_h_t col_h(const page_map_t *m, int32_t i) {
     if (m->table) return m->table[i];
-    num_t x = m->grid->src->x_of(m->grid->src->ctx, i);
-    page_h_t h = {num_to_fixed(num_mul(m->cam->m[K_X][0], x), m->lines.frac_bits, NULL),
-                  num_to_fixed(num_mul(m->cam->m[K_Y][0], x), m->lines.frac_bits, NULL),
-                  num_to_fixed(num_mul(m->cam->m[K_E][0], x), m->lines.frac_bits, NULL)};
-    return h;
+    num_t v[3], x = num_sub(m->grid->src->x_of(m->grid->src->ctx, i), m->origin[0]);
+    for (int k = 0; k < 3; k++) v[k] = num_mul(m->cam->m[k][0], x);
+    return to_h(m, v);
 }
 
+/* The row's share, and the constant one. */
 static page_h_t row_h(const page_map_t *m, int32_t j) {
     if (m->table) return m->table[m->grid->nx + j];
-    num_t y = m->grid->src->y_of(m->grid->src->ctx, j), z = m->grid->z_origin;
-    page_h_t h = {num_to_fixed(row_share(m->cam, K_X, y, z), m->lines.frac_bits, NULL),
-                  num_to_fixed(row_share(m->cam, K_Y, y, z), m->lines.frac_bits, NULL),
-                  num_to_fixed(row_share(m->cam, K_E, y, z), m->lines.frac_bits, NULL)};
-    return h;
+    num_t v[3], y = num_sub(m->grid->src->y_of(m->grid->src->ctx, j), m->origin[1]);
+    for (int k = 0; k < 3; k++) v[k] = num_add(m->origin_h[k], num_mul(m->cam->m[k][1], y));
+    return to_h(m, v);
 }
 
 static inline int64_t height_share(const page_map_t *m, int k, int32_t zi) {
@@ -36,9 +33,9 @@ static bool vertex_h(page_map_t *m, int32_t i, int32_t j, page_h_t *h) {
     int32_t zi;
     if (!grid_height(m->grid, i, j, &zi)) return false;
     page_h_t c = col_h(m, i), r = row_h(m, j);
-    h->x = c.x + r.x + height_share(m, K_X, zi);
-    h->y = c.y + r.y + height_share(m, K_Y, zi);
-    h->e = c.e + r.e + height_share(m, K_E, zi);
+    h->x = c.x + r.x + height_share(m, 0, zi);
+    h->y = c.y + r.y + height_share(m, 1, zi);
+    h->e = c.e + r.e + height_share(m, 2, zi);
     return true;
 }
 
@@ -62,6 +59,9 @@ int page_map_setup(page_map_t *m, grid_t *g, const camera_t *cam, void *memory) 
     const num_t hi[3] = {src->x_of(src->ctx, g->nx - 1), src->y_of(src->ctx, g->ny - 1), g->z_max};
     int err = camera_scale(cam, lo, hi, &m->lines);
     if (err) return err;
+    for (int k = 0; k < 2; k++) m->origin[k] = num_ldexp(num_add(lo[k], hi[k]), -1);
+    m->origin[2] = g->z_origin;
+    camera_project(cam, m->origin, m->origin_h);
 
     for (int k = 0; k < 3; k++) {
         /* One unit of zi is 2^z_exp; as a 31-bit mantissa and a right shift. */

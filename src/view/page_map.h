@@ -20,8 +20,9 @@
 typedef struct page_map {
     grid_t *grid;
     const camera_t *cam;
-    line_space_t lines; /* the result: INK_ROW and INK_COL lines of the grid */
-    int32_t z_mul[3];   /* height's share: zi * z_mul >> z_shift */
+    num_t origin[3], origin_h[3]; /* the grid's middle, and where the camera puts it */
+    line_space_t lines;           /* the result: INK_ROW and INK_COL lines of the grid */
+    int32_t z_mul[3];             /* height's share: zi * z_mul >> z_shift */
     uint8_t z_shift[3];
     page_h_t *table; /* nx columns, then ny rows; NULL: compute */
 } page_map_t;

@@ -1,0 +1,25 @@
+/* arena.h - hands out pieces of one lent block of memory; nothing is ever given back. */
+#ifndef ARENA_H
+#define ARENA_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct arena {
+    uint8_t *base;
+    size_t bytes, used;
+} arena_t;
+
+static inline size_t arena_left(const arena_t *a) {
+    return a->bytes - a->used;
+}
+
+/* size bytes aligned to 16, or NULL. */
+static inline void *arena_take(arena_t *a, size_t size) {
+    size_t start = a->used + (size_t)(-(uintptr_t)(a->base + a->used) & 15u);
+    if (start > a->bytes || size > a->bytes - start) return NULL;
+    a->used = start + size;
+    return a->base + start;
+}
+
+#endif

@@ -1,0 +1,109 @@
+/* picture.c - see picture.h: what all kinds of scenes have in common. */
+#include "app/picture.h"
+
+#include "app/picture_stages.h"
+#include "error.h"
+#include "view/autoscale.h"
+
+#define SMALL_ARENA ((size_t)256 * 1024)
+
+void picture_progress(picture_t *p, enum picture_stage stage, int32_t done, int32_t of) {
+    if (p->hooks && p->hooks->progress) p->hooks->progress(p->hooks->ctx, stage, done, of);
+}
+
+void *picture_kernel_memory(picture_t *p, size_t *bytes) {
+    *bytes = arena_left(&p->arena) / (p->arena.bytes < SMALL_ARENA ? 2 : 4);
+    return arena_take(&p->arena, *bytes);
+}
+
+/* gnuplot's xyplane: how far the base lies below the lowest z, as a part of the z range, or at a height of its own. */
+static void add_base_plane(const settings_t *s, num_t *lo, num_t *hi) {
+    num_t base = s->xyplane_at ? s->xyplane : num_sub(*lo, num_mul(s->xyplane, num_sub(*hi, *lo)));
+    if (num_cmp(base, *lo) < 0) *lo = base;
+    if (num_cmp(base, *hi) > 0) *hi = base;
+}
+
+int picture_camera(picture_t *p, const num_t lo[3], const num_t hi[3]) {
+    const settings_t *s = p->plot->settings;
+    const range_t *range[3] = {&s->x, &s->y, &s->z};
+    view_box_t box;
+    for (int k = 0; k < 3; k++) {
+        box.lo[k] = lo[k];
+        box.hi[k] = hi[k];
+        box.reverse[k] = range[k]->reverse;
+        if (s->view.from) continue;
+        int err = autoscale_range(range[k], &box.lo[k], &box.hi[k]);
+        if (err) return err;
+    }
+    if (!s->view.from) add_base_plane(s, &box.lo[2], &box.hi[2]);
+    int err = camera_setup(&p->camera, s, &box);
+    if (err) return err;
+    if (p->hooks && p->hooks->begin) p->hooks->begin(p->hooks->ctx, &p->camera);
+    return 0;
+}
+
+static bool ink_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t_q30, page_point_t *out) {
+    const picture_t *p = ctx;
+    return line_space_point(&p->lines[surface], family, line, t_q30, out);
+}
+
+int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t runs) {
+    const machine_t *machine = &p->plot->settings->machine;
+    uint32_t coarse = machine->steps_per_mm_q16[0] < machine->steps_per_mm_q16[1] ? machine->steps_per_mm_q16[0]
+                                                                                  : machine->steps_per_mm_q16[1];
+    path_config_t config;
+    path_default(&config, coarse);
+    config.lines = growing;
+    size_t bytes = arena_left(&p->arena) - 15;
+    if (runs < (int64_t)(bytes / PATH_BYTES_PER_RUN)) {
+        size_t enough = PATH_BYTES((size_t)runs + POOL_RUNS_MIN, (size_t)growing * 2) * 8 / 7;
+        if (enough < bytes) bytes = enough;
+    }
+    p->map_ink = (ink_map_t){p, ink_point};
+    void *mem = arena_take(&p->arena, bytes);
+    if (!mem) return ERR_FULL;
+    int err = path_init(&p->path, mem, bytes, &config, &p->map_ink, pen);
+    if (err) return err;
+
+    bool inside = true;
+    for (int32_t k = 0; k < p->spaces; k++) inside = inside && p->lines[k].all_inside;
+    p->cut = (cut_t){p->lines, path_sink(&p->path)};
+    p->sink = inside ? p->cut.next : cut_sink(&p->cut);
+    picture_progress(p, PICTURE_HIDE, 0, 1);
+    return 0;
+}
+
+int picture_close(picture_t *p) {
+    picture_progress(p, PICTURE_DRAW, 0, 1);
+    int err = path_finish(&p->path, &p->stats.path);
+    p->stats.path_bytes = p->stats.path.bytes;
+    return err;
+}
+
+int picture_draw(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const pen_sink_t *pen,
+                 const picture_hooks_t *hooks) {
+    *p = (picture_t){.plot = plot, .hooks = hooks, .arena = {mem, bytes, 0}};
+    picture_progress(p, PICTURE_MEASURE, 0, 1);
+    int err;
+    if (plot->kind == PLOT_CURVES)
+        err = picture_curves(p, pen);
+    else if (plot->kind == PLOT_MESH || plot->settings->hidden == HIDDEN_HORIZON)
+        err = picture_profiles(p, pen);
+    else
+        err = picture_surfaces(p, pen);
+    picture_progress(p, PICTURE_DONE, 1, 1);
+    return err;
+}
+
+size_t picture_bytes(const plot_t *plot) {
+    const size_t LEAST = (size_t)1 << 22, MOST = (size_t)1 << 30;
+    size_t points = 0;
+    for (int32_t k = 0; k < plot->n; k++) {
+        const plot_item_t *item = &plot->item[k];
+        if (plot->kind == PLOT_SURFACES) points += (size_t)item->surface.nx * (size_t)item->surface.ny;
+        if (plot->kind == PLOT_CURVES) points += (size_t)item->curve.n;
+    }
+    /* A run a point covers all but the roughest surfaces; a quarter of the rest goes to the kernel. */
+    size_t bytes = LEAST + points * (sizeof(int32_t) + PATH_BYTES_PER_RUN) * 3 / 2;
+    return bytes > MOST ? MOST : bytes;
+}

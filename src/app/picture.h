@@ -1,0 +1,78 @@
+/* picture.h - one picture: from a plot command to strokes of the pen.
+ *
+ *     measure (ranges of heights) -> view (camera, maps) -> hide (the scene's kernel) -> cut -> join, order -> pen
+ *
+ * The kernel is the cheapest that is right for the scene: perimeter for grids, horizon for profiles, plain lines where
+ * nothing can hide anything (`unset hidden3d`; a graph of a function from straight above or below).
+ *
+ * Memory: one lent block. In it, in this order of urgency: the kernel's rows and horizons, the pool that orders the
+ * ink, tables of the page map, and a cache of heights. The last two only save time and are left out when they do not
+ * fit. */
+#ifndef PICTURE_H
+#define PICTURE_H
+
+#include "app/arena.h"
+#include "hidden/hidden.h"
+#include "lang/plot.h"
+#include "path/path.h"
+#include "view/cut.h"
+#include "view/flat_map.h"
+#include "view/page_map.h"
+#include "view/profile_map.h"
+
+#define PICTURE_LINES_MAX (2 * CONFIG_PLOT_ITEMS + 1) /* rows and columns of each item, and a frame */
+
+enum picture_stage {
+    PICTURE_MEASURE, /* evaluating all points for their range */
+    PICTURE_HIDE,    /* evaluating again if need be, hiding, joining */
+    PICTURE_DRAW,    /* ordering and drawing what is left in the pool */
+    PICTURE_DONE,
+};
+
+typedef struct picture_hooks {
+    void *ctx;
+    /* Called at the start of each stage with done == 0, and now and then with how much of it is done; may be NULL. */
+    void (*progress)(void *ctx, enum picture_stage stage, int32_t done, int32_t of);
+    /* Called when the view is known, before the first stroke; may be NULL. */
+    void (*begin)(void *ctx, const camera_t *cam);
+} picture_hooks_t;
+
+typedef struct picture_stats {
+    int64_t facets;    /* cells of the grids whose four corners are defined; segments of profiles or curves */
+    int64_t evaluated; /* points evaluated, in all stages */
+    hidden_stats_t hidden;
+    path_stats_t path;
+    size_t cache_bytes, map_bytes, kernel_bytes, path_bytes; /* of the lent block; kernel and path: what they used */
+} picture_stats_t;
+
+typedef struct picture {
+    const plot_t *plot;
+    const picture_hooks_t *hooks;
+    arena_t arena;
+    camera_t camera;
+    path_t path;
+    ink_map_t map_ink; /* for path: lines[] by number */
+    cut_t cut;
+    ink_sink_t sink; /* where kernels put their ink: cut, or path directly */
+    grid_t grid[PICTURE_LINES_MAX];
+    page_map_t map[PICTURE_LINES_MAX];
+    line_space_t lines[PICTURE_LINES_MAX]; /* by the number of the surface in a piece */
+    int32_t spaces;                        /* of them in use */
+    profiles_t profiles;
+    profiles_sampled_t sampled;
+    profile_map_t profile_map;
+    flat_axes_t axes;
+    flat_curve_t curve[CONFIG_PLOT_ITEMS];
+    picture_stats_t stats;
+} picture_t;
+
+/* Draws plot into pen, strokes in drawing order; the pen is at home before and not sent home after. p needs no
+ * preparation; p->stats is filled in, as far as the work got, whatever is returned. hooks may be NULL.
+ * Returns 0 or: ERR_EMPTY nothing is defined; ERR_VALUE ranges or view cannot be used; ERR_FULL mem is too small
+ * (nothing or a part was drawn); ERR_UNSUPPORTED no kernel draws this scene correctly; or the pen's error. */
+int picture_draw(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const pen_sink_t *pen,
+                 const picture_hooks_t *hooks);
+/* A block large enough for most scenes of this size with everything cached; ERR_FULL asks for more all the same. */
+size_t picture_bytes(const plot_t *plot);
+
+#endif

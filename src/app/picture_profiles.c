@@ -1,0 +1,59 @@
+/* picture_profiles.c - the horizon algorithm's scenes: profiles across the view. */
+#include "app/picture_stages.h"
+
+#include "error.h"
+#include "hidden/horizon.h"
+
+static void hide_tick(void *ctx, int32_t done, int32_t of) {
+    picture_progress(ctx, PICTURE_HIDE, done, of);
+}
+
+/* A function's height, undefined beyond `set zrange`. */
+static num_t height_at(void *ctx, num_t x, num_t y) {
+    picture_t *p = ctx;
+    const plot_item_t *item = &p->plot->item[0];
+    const range_t *r = &p->plot->settings->z;
+    num_t z = item->z_at(item->surface.ctx, x, y);
+    p->stats.evaluated++;
+    if (z.undef) return z;
+    if (!r->auto_lo && num_cmp(z, r->lo) < 0) return num_undef();
+    if (!r->auto_hi && num_cmp(z, r->hi) > 0) return num_undef();
+    return z;
+}
+
+/* isosamples[1] profiles of samples[0] points. The ground direction of the view must be known before the heights are: a
+ * camera for any range of heights gives it. */
+static int cut_function(picture_t *p) {
+    const settings_t *s = p->plot->settings;
+    const surface_t *f = &p->plot->item[0].surface;
+    const num_t lo[3] = {f->x_of(f->ctx, 0), f->y_of(f->ctx, 0), num_from_i64(0)};
+    const num_t hi[3] = {f->x_of(f->ctx, f->nx - 1), f->y_of(f->ctx, f->ny - 1), num_from_i64(1)};
+    int err = picture_camera(p, lo, hi);
+    if (err) return err;
+    p->sampled = (profiles_sampled_t){
+        .fn_ctx = p, .z_of = height_at, .x0 = lo[0], .x1 = hi[0], .y0 = lo[1], .y1 = hi[1], .samples = s->samples[0]};
+    return profiles_from_function(&p->profiles, &p->sampled, &p->camera, s->isosamples[1]);
+}
+
+int picture_profiles(picture_t *p, const pen_sink_t *pen) {
+    const plot_t *plot = p->plot;
+    if (plot->kind != PLOT_SURFACES || plot->n > 1 || !plot->item[0].z_at) return ERR_UNSUPPORTED;
+    size_t kernel_bytes;
+    void *kernel = picture_kernel_memory(p, &kernel_bytes);
+    int err = cut_function(p);
+    if (!err) err = profile_map_measure(&p->profile_map, &p->profiles);
+    if (!err) err = picture_camera(p, p->profile_map.lo, p->profile_map.hi);
+    if (!err) err = profile_map_setup(&p->profile_map, &p->camera);
+    if (err) return err;
+    p->lines[0] = p->profile_map.lines;
+    p->spaces = 1;
+    int64_t points = (int64_t)p->profiles.count * p->profiles.max_points;
+    err = picture_open(p, pen, p->profiles.count, points);
+    if (err) return err;
+
+    const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p};
+    err = horizon_draw(&p->profiles, &p->camera, plot->settings->horizon_infinite, &job, &p->stats.hidden);
+    p->stats.facets = p->stats.hidden.facets;
+    p->stats.kernel_bytes = p->stats.hidden.bytes;
+    return err ? err : picture_close(p);
+}

@@ -1,0 +1,24 @@
+/* picture_stages.h - what the files of src/app/picture*.c share; not for others. */
+#ifndef PICTURE_STAGES_H
+#define PICTURE_STAGES_H
+
+#include "app/picture.h"
+
+/* The kinds of scenes. Each measures, sets the camera up, opens the ink stages and runs its kernels. */
+int picture_surfaces(picture_t *p, const pen_sink_t *pen); /* picture_surfaces.c */
+int picture_profiles(picture_t *p, const pen_sink_t *pen); /* picture_profiles.c */
+int picture_curves(picture_t *p, const pen_sink_t *pen);   /* picture_curves.c */
+
+/* The axes' box for a scene that reaches from lo to hi (x, y, z), and from it the camera. Rotation views take gnuplot's
+ * box: whole tics on autoscaled axes, and the base plane below. */
+int picture_camera(picture_t *p, const num_t lo[3], const num_t hi[3]);
+/* Opens cut and path on the line spaces 0 .. spaces - 1. growing: lines that grow at the same time; runs: how many
+ * the pool can use at most. Takes what is left of the arena. */
+int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t runs);
+/* Draws what the pool still holds. */
+int picture_close(picture_t *p);
+void picture_progress(picture_t *p, enum picture_stage stage, int32_t done, int32_t of);
+/* The kernel's share of the arena: half of a small one, a quarter of a large one. */
+void *picture_kernel_memory(picture_t *p, size_t *bytes);
+
+#endif

@@ -1,0 +1,126 @@
+/* picture_surfaces.c - grids of heights: the perimeter kernel, or all lines where nothing is hidden. */
+#include "app/picture_stages.h"
+
+#include "error.h"
+#include "hidden/perimeter.h"
+#include "hidden/plain.h"
+
+static void measure_tick(void *ctx, int32_t done, int32_t of) {
+    picture_progress(ctx, PICTURE_MEASURE, done, of);
+}
+
+static void hide_tick(void *ctx, int32_t done, int32_t of) {
+    picture_progress(ctx, PICTURE_HIDE, done, of);
+}
+
+static int64_t points_of(const surface_t *s) {
+    return (int64_t)s->nx * s->ny;
+}
+
+/* Measures surface number p->spaces. It is cached if that takes at most half of what is left. */
+static int add_surface(picture_t *p, const surface_t *s) {
+    const range_t *z = &p->plot->settings->z;
+    grid_t *g = &p->grid[p->spaces];
+    size_t size = (size_t)points_of(s) * sizeof(int32_t);
+    int32_t *cache = size <= arena_left(&p->arena) / 2 ? arena_take(&p->arena, size) : NULL;
+    if (cache) p->stats.cache_bytes += size;
+    int err = grid_measure(g, s, z->auto_lo ? NULL : &z->lo, z->auto_hi ? NULL : &z->hi, cache, measure_tick, p);
+    if (err) return err;
+    p->spaces++;
+    return 0;
+}
+
+static void scene_box(const picture_t *p, num_t lo[3], num_t hi[3]) {
+    for (int32_t k = 0; k < p->spaces; k++) {
+        const grid_t *g = &p->grid[k];
+        const surface_t *s = g->src;
+        const num_t from[3] = {s->x_of(s->ctx, 0), s->y_of(s->ctx, 0), g->z_min};
+        const num_t to[3] = {s->x_of(s->ctx, s->nx - 1), s->y_of(s->ctx, s->ny - 1), g->z_max};
+        for (int axis = 0; axis < 3; axis++) {
+            if (k == 0 || num_cmp(from[axis], lo[axis]) < 0) lo[axis] = from[axis];
+            if (k == 0 || num_cmp(to[axis], hi[axis]) > 0) hi[axis] = to[axis];
+        }
+    }
+}
+
+/* A parallel view so near the vertical that over the whole height of the scene a line of sight moves less than
+ * 2^-24 of its width: a graph of a function hides nothing then. */
+static bool is_vertical(const camera_t *cam, const num_t lo[3], const num_t hi[3]) {
+    if (cam->perspective) return false;
+    for (int k = 0; k < 2; k++) {
+        num_t drift = num_mul(num_abs(cam->eye[k]), num_sub(hi[2], lo[2]));
+        num_t allowed = num_mul(num_abs(cam->eye[2]), num_sub(hi[k], lo[k]));
+        if (num_cmp(drift, num_ldexp(allowed, -24)) > 0) return false;
+    }
+    return true;
+}
+
+static int map_surfaces(picture_t *p) {
+    for (int32_t k = 0; k < p->spaces; k++) {
+        grid_t *g = &p->grid[k];
+        size_t size = PAGE_MAP_BYTES(g->nx, g->ny);
+        void *table = size <= arena_left(&p->arena) / 4 ? arena_take(&p->arena, size) : NULL;
+        if (table) p->stats.map_bytes += size;
+        int err = page_map_setup(&p->map[k], g, &p->camera, table);
+        if (err) return err;
+        p->lines[k] = p->map[k].lines;
+    }
+    return 0;
+}
+
+/* All lines of every item: family by family, as gnuplot's isolines. */
+static int draw_plain(picture_t *p, bool isolines) {
+    for (int32_t k = 0; k < p->spaces; k++) {
+        /* With isolines even numbers are rows, odd ones columns; otherwise each grid has both. */
+        for (uint8_t family = INK_ROW; family <= INK_COL; family++) {
+            if (isolines && (k & 1) != (family == INK_COL)) continue;
+            int err = plain_draw(&p->grid[k], family, (uint8_t)k, &p->sink);
+            if (err) return err;
+        }
+        hide_tick(p, k + 1, p->spaces);
+    }
+    return 0;
+}
+
+int picture_surfaces(picture_t *p, const pen_sink_t *pen) {
+    const plot_t *plot = p->plot;
+    const bool isolines = plot->settings->hidden == HIDDEN_NONE;
+    if (!isolines && plot->n > 1) return ERR_UNSUPPORTED;
+    int64_t points = 0;
+    int32_t growing = 0;
+    int err = 0;
+
+    size_t kernel_bytes = 0;
+    void *kernel = isolines ? NULL : picture_kernel_memory(p, &kernel_bytes);
+    for (int32_t k = 0; k < plot->n; k++) {
+        const plot_item_t *item = &plot->item[k];
+        if (!isolines) {
+            err = add_surface(p, &item->surface);
+        } else {
+            err = add_surface(p, &item->rows);
+            if (!err) err = add_surface(p, &item->cols);
+        }
+        if (err) return err;
+        points += points_of(&item->surface);
+        growing += item->surface.nx;
+    }
+    num_t lo[3], hi[3];
+    scene_box(p, lo, hi);
+    err = picture_camera(p, lo, hi);
+    if (!err) err = map_surfaces(p);
+    if (!err) err = picture_open(p, pen, growing, 4 * points);
+    if (err) return err;
+
+    if (isolines || is_vertical(&p->camera, lo, hi)) {
+        err = draw_plain(p, isolines);
+        for (int32_t k = 0; k < p->spaces; k++) p->stats.facets += (int64_t)(p->grid[k].nx - 1) * (p->grid[k].ny - 1);
+    } else {
+        const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p};
+        err = perimeter_draw(&p->grid[0], &p->camera, &job, &p->stats.hidden);
+        p->stats.facets = p->stats.hidden.facets;
+        p->stats.kernel_bytes = p->stats.hidden.bytes;
+    }
+    if (!err) err = picture_close(p);
+    for (int32_t k = 0; k < p->spaces; k++) p->stats.evaluated += p->grid[k].evaluated;
+    return err;
+}
