@@ -1,0 +1,224 @@
+/* data_reader.c - what rows, blank lines and matrices mean; the characters are field.c's, the grid data_grid.c's. */
+#include "scene/data_reader.h"
+#include "error.h"
+
+void data_spec_default(data_spec_t *spec) {
+    *spec = (data_spec_t){.set_step = 1, .last_set = INT32_MAX};
+    spec->point_step = spec->block_step = 1;
+    spec->last_point = spec->last_block = INT32_MAX;
+}
+
+void data_reader_start(data_reader_t *r, const data_spec_t *spec, data_pool_t *pool, data_grid_t *grid,
+                       int32_t grids_max, bool stop_at_e, int32_t first_line) {
+    *r = (data_reader_t){.spec = spec, .pool = pool, .grid = grid, .grids_max = grids_max, .parts = spec->parts};
+    field_start(&r->field, spec->separator, stop_at_e, first_line);
+}
+
+static int refuse(data_reader_t *r, enum data_grid_trouble why, int32_t at) {
+    r->trouble = why;
+    r->line = r->field.line;
+    r->at = at;
+    return why == DATA_FULL || why == DATA_SETS ? ERR_FULL : ERR_DATA;
+}
+
+static int refused(data_reader_t *r, int err, int32_t at) {
+    if (err) refuse(r, r->trouble, at);
+    return err;
+}
+
+static bool set_is_wanted(const data_reader_t *r) {
+    const data_spec_t *s = r->spec;
+    return r->set >= s->first_set && r->set <= s->last_set && (r->set - s->first_set) % s->set_step == 0;
+}
+
+static bool chosen(int32_t n, int32_t first, int32_t last, int32_t step) {
+    return n >= first && n <= last && (n - first) % step == 0;
+}
+
+/* The first point of a data set opens its grid. */
+static int open_set(data_reader_t *r) {
+    if (r->set_open) return 0;
+    if (r->grids == r->grids_max) return refuse(r, DATA_SETS, 0);
+    data_grid_start(&r->grid[r->grids++], r->pool);
+    r->set_open = true;
+    return 0;
+}
+
+static int close_set(data_reader_t *r) {
+    if (!r->set_open) return 0;
+    r->set_open = false;
+    return refused(r, data_grid_finish(&r->grid[r->grids - 1], &r->trouble), 0);
+}
+
+static int end_block(data_reader_t *r) {
+    if (r->point == 0) return 0;
+    if (r->kept_point > 0) r->kept_block++;
+    r->block++;
+    r->point = r->kept_point = 0;
+    if (!r->set_open) return 0;
+    return refused(r, data_grid_break(&r->grid[r->grids - 1], &r->trouble), 0);
+}
+
+static int end_set(data_reader_t *r) {
+    r->set++;
+    r->block = r->kept_block = r->set_points = 0;
+    r->row_known = false;
+    r->axis_n = 0;
+    return close_set(r);
+}
+
+static num_t part_value(data_reader_t *r, int32_t k) {
+    int32_t c = r->spec->part[k];
+    if (c == USING_EXPR) return r->spec->compute(r->spec->ctx, k);
+    if (c == USING_BLOCK) return num_from_i64(r->kept_block);
+    if (c == USING_SET) return num_from_i64(r->set);
+    return r->column[c];
+}
+
+/* One point of the wanted set: its columns are in place. */
+static int point(data_reader_t *r) {
+    const data_spec_t *s = r->spec;
+    bool keep = chosen(r->point, s->first_point, s->last_point, s->point_step) &&
+                chosen(r->block, s->first_block, s->last_block, s->block_step);
+    r->point++;
+    if (!keep) return 0;
+    int err = open_set(r);
+    if (err) return err;
+    r->column[0] = num_from_i64(r->set_points++);
+    num_t x, y, z;
+    if (r->parts == 1) {
+        x = num_from_i64(r->kept_point);
+        y = num_from_i64(r->kept_block);
+        z = s->parts ? part_value(r, 0) : r->column[1];
+    } else if (s->parts) {
+        x = part_value(r, 0);
+        y = part_value(r, 1);
+        z = part_value(r, 2);
+    } else {
+        x = r->column[1];
+        y = r->column[2];
+        z = r->column[3];
+    }
+    r->kept_point++;
+    return refused(r, data_grid_point(&r->grid[r->grids - 1], x, y, z, &r->trouble), 0);
+}
+
+static uint64_t wanted_columns(const data_reader_t *r) {
+    if (r->spec->parts) return r->spec->wanted;
+    return r->parts == 1 ? 1u << 1 : 1u << 1 | 1u << 2 | 1u << 3;
+}
+
+/* A complete row `x y z`. */
+static int row(data_reader_t *r) {
+    if (!set_is_wanted(r)) {
+        r->point++;
+        return 0;
+    }
+    if (!r->parts) {
+        if (r->field.count == 2) return refuse(r, DATA_TWO_COLUMNS, 0);
+        r->parts = r->field.count == 1 ? 1 : 3;
+    }
+    uint64_t wanted = wanted_columns(r);
+    for (int32_t c = 1; c <= CONFIG_DATA_COLUMNS; c++) {
+        if (!(wanted >> c & 1)) continue;
+        if (c > r->field.count) return refuse(r, DATA_SHORT, 0);
+        if (r->is_text >> c & 1) {
+            bool heading = !r->row_known && (r->is_text & wanted) == wanted;
+            r->row_known = true;
+            return heading ? 0 : refuse(r, DATA_TEXT, r->column_at[c]);
+        }
+    }
+    r->row_known = true;
+    return point(r);
+}
+
+static int end_row(data_reader_t *r) {
+    if (r->field.count == 0) {
+        r->blanks++;
+        if (r->blanks == 1 && r->spec->format == DATA_ROWS) return end_block(r);
+        return r->blanks == 2 && (r->row_known || r->block > 0) ? end_set(r) : 0;
+    }
+    r->blanks = 0;
+    if (r->spec->format == DATA_ROWS) {
+        int err = row(r);
+        r->is_text = 0;
+        return err;
+    }
+    bool was_axis = r->spec->format == DATA_NONUNIFORM && !r->row_known;
+    r->row_known = true;
+    return was_axis ? 0 : end_block(r);
+}
+
+/* One field of a matrix is one point. */
+static int cell(data_reader_t *r) {
+    const field_t *f = &r->field;
+    if (!set_is_wanted(r)) return 0;
+    if (f->kind == FIELD_TEXT) return refuse(r, DATA_TEXT, f->column);
+    int32_t column = f->count - 1;
+    if (r->spec->format == DATA_NONUNIFORM) {
+        if (!r->row_known) {
+            if (column == 0) return 0; /* the number of columns, or nothing */
+            if (r->pool->low >= r->pool->high) return refuse(r, DATA_FULL, f->column);
+            if (column == 1) r->axis = r->pool->base + r->pool->high;
+            r->pool->base[--r->pool->high] = packed_from_num(field_num(f));
+            r->axis_n++;
+            return 0;
+        }
+        if (column == 0) {
+            r->row_y = field_num(f);
+            return 0;
+        }
+        if (column > r->axis_n) return refuse(r, DATA_RAGGED, f->column);
+        r->column[1] = packed_num(r->axis[-column]);
+        r->column[2] = r->row_y;
+    } else {
+        r->column[1] = num_from_i64(column);
+        r->column[2] = num_from_i64(r->block);
+    }
+    r->column[3] = field_num(f);
+    r->parts = 3;
+    return point(r);
+}
+
+static int value(data_reader_t *r) {
+    const field_t *f = &r->field;
+    if (r->spec->format != DATA_ROWS) return cell(r);
+    if (f->count > CONFIG_DATA_COLUMNS) return 0;
+    uint64_t bit = (uint64_t)1 << f->count;
+    r->column_at[f->count] = f->column;
+    if (f->kind == FIELD_TEXT) r->is_text |= bit;
+    /* Columns nobody asked for are not converted; without `using` the first row decides what is asked for. */
+    if (r->spec->parts ? (r->spec->wanted & bit) != 0 : f->count <= 3) r->column[f->count] = field_num(f);
+    return 0;
+}
+
+static int happen(data_reader_t *r, enum field_event event) {
+    if (event == FIELD_VALUE) return value(r);
+    if (event == FIELD_LINE) return end_row(r);
+    r->stopped = true;
+    return 0;
+}
+
+int data_reader_feed(data_reader_t *r, const char *text, size_t n) {
+    const char *p = text, *end = text + n;
+    while (!r->stopped) {
+        enum field_event event = field_next(&r->field, &p, end);
+        if (event == FIELD_MORE) break;
+        int err = happen(r, event);
+        if (err) return err;
+    }
+    return 0;
+}
+
+int data_reader_finish(data_reader_t *r) {
+    while (!r->stopped) {
+        enum field_event event = field_finish(&r->field);
+        if (event == FIELD_MORE) break;
+        int err = happen(r, event);
+        if (err) return err;
+    }
+    int err = end_block(r);
+    if (!err) err = close_set(r);
+    if (err) return err;
+    return r->grids ? r->grids : ERR_EMPTY;
+}
