@@ -31,6 +31,17 @@
 #ifndef CONFIG_DATA_COLUMNS
 #define CONFIG_DATA_COLUMNS 32
 #endif
+_Static_assert(CONFIG_DATA_COLUMNS < 64, "data_reader keeps one bit per column in 64");
+
+/* Compiled expressions of one plot command, those in `using` included: a byte an operator, 2 a name, 11 a constant. */
+#ifndef CONFIG_PLOT_CODE
+#define CONFIG_PLOT_CODE 4096
+#endif
+
+/* Physical lines that may be joined into one by `\` and still be told apart in messages: 2 bytes each. */
+#ifndef CONFIG_JOINS
+#define CONFIG_JOINS 32
+#endif
 
 /* Names of files, and prompts of `pause` (bytes). */
 #ifndef CONFIG_NAME_MAX

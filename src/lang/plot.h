@@ -18,7 +18,10 @@ enum plot_kind {
 };
 
 typedef struct plot_item {
-    const char *title; /* as typed with `title`, else the expression or file name; "" for notitle */
+    /* What `title` says, else the expression or file name, as it was typed; nothing for notitle. Not ended by a zero.
+     */
+    const char *title;
+    int32_t title_len;
     union {
         struct {
             surface_t surface; /* the grid that hidden lines are removed from: isosamples x isosamples, or the data */

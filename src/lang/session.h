@@ -5,14 +5,19 @@
  * Nothing is drawn if any part of a plot command is wrong, and a line is executed command by command: what stands
  * before a wrong command has been done.
  *
- * Context: main loop only. No recursion: `load` has its own small stack of files. */
+ * Memory: sizeof(session_t) with the desktop's capacities is about 50 KB, most of it lang_t (names.h) and the line
+ * buffers (config.h). Context: main loop only. No recursion: `load` has its own small stack of files. */
 #ifndef SESSION_H
 #define SESSION_H
 
 #include "config.h"
 #include "error.h"
+#include "lang/expr.h"
 #include "lang/plot.h"
 #include "lang/settings.h"
+#include "lang/words.h"
+#include "scene/data_reader.h"
+#include "scene/expr_surface.h"
 #include <stddef.h>
 
 /* What the host or board does for a session. Functions return 0 (or a count) or a negative error, which ends the
@@ -34,12 +39,88 @@ typedef struct session_port {
 
 enum session_state {
     SESSION_READY, /* the next line is a command */
-    SESSION_MORE,  /* the last line ended in `\` or is otherwise unfinished */
+    SESSION_MORE,  /* the last line ended in `\`: the next one continues it */
     SESSION_DATA,  /* rows of inline data, up to a line `e` */
     SESSION_QUIT,  /* `quit` was executed: feed no more lines */
 };
 
-typedef struct session session_t;
+/* Where lines come from: the caller, or a file being loaded. */
+typedef struct session_frame {
+    int handle;                  /* of the port; -1: session_line() */
+    const char *name;            /* of the source, or NULL for a terminal */
+    int32_t line;                /* physical lines so far */
+    int32_t first_line;          /* where the logical line begins */
+    uint16_t join[CONFIG_JOINS]; /* bytes of text at which its further physical lines begin */
+    int32_t joins;
+    bool more;  /* unfinished: ended in a backslash */
+    lexer_t lx; /* how far text has been executed */
+    uint32_t len;
+    char text[CONFIG_LINE_MAX + 1];
+} session_frame_t;
+
+/* A file being read in pieces. */
+typedef struct session_chunk {
+    int at, len;
+    char bytes[CONFIG_READ_CHUNK];
+} session_chunk_t;
+
+/* One element of a plot command, as it was typed. */
+typedef struct session_source {
+    enum { SOURCE_EXPR, SOURCE_FILE, SOURCE_INLINE } kind;
+    int32_t column;      /* of the element's first character, for messages */
+    uint32_t name_start; /* a file's name: its string token in the command */
+    const char *title;
+    int32_t title_len;
+    expr_t expr; /* of the element, or of the parts of using: */
+    expr_t part[3];
+    data_spec_t spec;
+    int32_t first_grid, grids; /* of data */
+} session_source_t;
+
+/* What stands behind one surface or curve while it is drawn. */
+typedef union session_work {
+    struct {
+        expr_source_t source;
+        expr_grid_t grid, rows, cols;
+    } expr;
+    data_view_t data;
+} session_work_t;
+
+typedef struct session {
+    const session_port_t *port;
+    settings_t settings;
+    lang_t lang;
+    lang_error_t error;                                                           /* of the last line that failed */
+    uint8_t warned_command[WORDS_COMMAND_MAX / 8], warned_set[WORDS_SET_MAX / 8]; /* bits */
+    bool quit;
+    bool in_last;                      /* the error is in `last` (replot), not in the frame's line */
+    char dummy[2][LANG_ERROR_MAX / 4]; /* set dummy */
+    char separator;                    /* set datafile separator; 0: blanks and commas */
+    int32_t frames;                    /* sources of lines on the stack; at least 1 */
+    session_frame_t frame[1 + CONFIG_LOAD_DEPTH];
+    char frame_name[CONFIG_LOAD_DEPTH + 1][CONFIG_NAME_MAX + 1]; /* [0] is used for prompts and data files */
+    session_chunk_t frame_chunk[CONFIG_LOAD_DEPTH + 1];          /* [0] is used for data files */
+    char last[CONFIG_LINE_MAX + 1];                              /* the last plot command, for replot */
+    /* The plot command being carried out. */
+    struct {
+        enum plot_kind kind;
+        lexer_t lx;   /* at the command's first word */
+        bool waiting; /* for inline data of source[next] */
+        int32_t sources, next;
+        int32_t kept;     /* replot: sources whose data are still in the pool */
+        range_t range[3]; /* given in the command or as set */
+        size_t code_len;
+        session_source_t source[CONFIG_PLOT_ITEMS];
+        session_work_t work[CONFIG_PLOT_ITEMS];
+        plot_item_t item[CONFIG_PLOT_ITEMS];
+        data_grid_t grid[CONFIG_PLOT_ITEMS];
+        int32_t grids;
+        data_reader_t reader;
+        uint8_t code[CONFIG_PLOT_CODE];
+    } plot;
+    data_pool_t pool;
+    size_t pool_size; /* units of 8 bytes */
+} session_t;
 
 /* Starts a session with default settings. pool: memory for data (8-byte aligned), 8 bytes a height, may be NULL with
  * pool_bytes 0. port and pool are used until the session's end. */
@@ -48,7 +129,7 @@ void session_init(session_t *s, const session_port_t *port, void *pool, size_t p
  * name is not copied. */
 void session_source(session_t *s, const char *name);
 /* Feeds one physical line, without its newline. Returns 0, or a negative error after which the rest of the line (and
- * of files being loaded) is forgotten, a report of three lines (text, caret, place and reason) went to port->warn, and
+ * of files being loaded) is forgotten, a report (the text, a caret, place and reason) went to port->warn, and
  * s->error says the same in numbers. The session stays usable. */
 int session_line(session_t *s, const char *text);
 /* The end of the input: an unfinished line or unfinished inline data is an error. */

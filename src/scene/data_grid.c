@@ -20,13 +20,17 @@ static const char *const TEXT[] = {
     [DATA_TEXT] = "not a number",
 };
 
-const char *data_grid_text(enum data_grid_trouble trouble) { return TEXT[trouble]; }
+const char *data_grid_text(enum data_grid_trouble trouble) {
+    return TEXT[trouble];
+}
 
 void data_grid_start(data_grid_t *g, data_pool_t *pool) {
     *g = (data_grid_t){.pool = pool, .z = pool->base + pool->low, .inner = pool->base + pool->high};
 }
 
-bool data_grid_is_empty(const data_grid_t *g) { return g->outer_n == 0 && g->at == 0; }
+bool data_grid_is_empty(const data_grid_t *g) {
+    return g->outer_n == 0 && g->at == 0;
+}
 
 static int refuse(enum data_grid_trouble why, enum data_grid_trouble *trouble) {
     *trouble = why;
@@ -40,9 +44,13 @@ static bool take_coordinate(data_grid_t *g, packed_t c) {
     return true;
 }
 
-static num_t distance(packed_t a, packed_t b) { return num_abs(num_sub(packed_num(a), packed_num(b))); }
+static num_t distance(packed_t a, packed_t b) {
+    return num_abs(num_sub(packed_num(a), packed_num(b)));
+}
 
-static bool within(num_t a, num_t limit) { return num_cmp(a, limit) <= 0; }
+static bool within(num_t a, num_t limit) {
+    return num_cmp(a, limit) <= 0;
+}
 
 /* The second point of the first block says which coordinate runs along blocks. */
 static bool orient(data_grid_t *g, packed_t x, packed_t y) {

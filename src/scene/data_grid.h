@@ -6,13 +6,14 @@
  * coordinate may differ between blocks by 2^-12 of the first step (files are rounded); the first block's value counts.
  *
  * Memory: one packed_t (8 bytes) per height plus one per column and row: heights grow from the pool's lower end,
- * coordinates from its upper end. Nothing is moved when the file is complete: direction and transposition are strides. */
+ * coordinates from its upper end. Nothing is moved when the file is complete: direction and transposition are strides.
+ */
 #ifndef DATA_GRID_H
 #define DATA_GRID_H
 
-#include <stddef.h>
 #include "scene/packed.h"
 #include "scene/surface.h"
+#include <stddef.h>
 
 /* Memory for data, taken from both ends; units of 8 bytes. */
 typedef struct data_pool {
@@ -21,27 +22,27 @@ typedef struct data_pool {
 } data_pool_t;
 
 enum data_grid_trouble { /* why a point was refused */
-    DATA_OK,
-    DATA_FULL,       /* the pool is full */
-    DATA_NO_PLACE,   /* x or y is undefined */
-    DATA_NO_GRID,    /* neither x nor y stays the same from the first point to the second */
-    DATA_TURNS,      /* a coordinate does not keep increasing or decreasing */
-    DATA_OFF_GRID,   /* not where the corresponding point of the first block lies */
-    DATA_RAGGED,     /* a block with another number of points than the first */
-    DATA_TOO_SMALL,  /* fewer than 2 x 2 points */
-    /* found by data_reader */
-    DATA_SETS,        /* more data sets than can be drawn at once */
-    DATA_TWO_COLUMNS, /* neither z nor x y z */
-    DATA_SHORT,       /* a row without a column that is wanted */
-    DATA_TEXT,        /* a field is not a number */
+                         DATA_OK,
+                         DATA_FULL,      /* the pool is full */
+                         DATA_NO_PLACE,  /* x or y is undefined */
+                         DATA_NO_GRID,   /* neither x nor y stays the same from the first point to the second */
+                         DATA_TURNS,     /* a coordinate does not keep increasing or decreasing */
+                         DATA_OFF_GRID,  /* not where the corresponding point of the first block lies */
+                         DATA_RAGGED,    /* a block with another number of points than the first */
+                         DATA_TOO_SMALL, /* fewer than 2 x 2 points */
+                         /* found by data_reader */
+                         DATA_SETS,        /* more data sets than can be drawn at once */
+                         DATA_TWO_COLUMNS, /* neither z nor x y z */
+                         DATA_SHORT,       /* a row without a column that is wanted */
+                         DATA_TEXT,        /* a field is not a number */
 };
 
 typedef struct data_grid {
     data_pool_t *pool;
-    packed_t *z;              /* heights, block after block */
-    packed_t *inner, *outer;  /* coordinates, growing downwards: inner[-1 - k] */
-    int32_t inner_n, outer_n; /* points per block (once the first is complete), complete blocks */
-    int32_t at;               /* points of the block being read */
+    packed_t *z;                             /* heights, block after block */
+    packed_t *inner, *outer;                 /* coordinates, growing downwards: inner[-1 - k] */
+    int32_t inner_n, outer_n;                /* points per block (once the first is complete), complete blocks */
+    int32_t at;                              /* points of the block being read */
     bool inner_is_x, inner_down, outer_down; /* directions: does the coordinate decrease */
     bool oriented;                           /* inner_is_x is known */
     packed_t first_x, first_y;               /* the first point of the block being read */
@@ -64,9 +65,9 @@ const char *data_grid_text(enum data_grid_trouble trouble);
 typedef struct data_view {
     const data_grid_t *g;
     const packed_t *z;
-    int64_t step_i, step_j;          /* from column to column, row to row, in z */
-    const packed_t *x, *y;           /* of column 0, row 0 */
-    int32_t x_step, y_step;          /* +1 or -1 */
+    int64_t step_i, step_j; /* from column to column, row to row, in z */
+    const packed_t *x, *y;  /* of column 0, row 0 */
+    int32_t x_step, y_step; /* +1 or -1 */
 } data_view_t;
 int data_grid_surface(const data_grid_t *g, const num_t *x_lim, const num_t *y_lim, data_view_t *v, surface_t *out);
 

@@ -1,9 +1,9 @@
 /* data_reader.h - a data file or inline rows, character by character, into grids.
  *
  * gnuplot's text formats: isolines as blocks of rows `x y z` separated by a blank line, data sets by two; rows of
- * one column, whose x and y are then the numbers of the point and of the block; `matrix`, whose columns count x and rows
- * count y; `nonuniform matrix`, whose first row holds (after one ignored field) the x and whose first column the y.
- * Every data set that is wanted becomes a grid of its own. */
+ * one column, whose x and y are then the numbers of the point and of the block; `matrix`, whose columns count x and
+ * rows count y; `nonuniform matrix`, whose first row holds (after one ignored field) the x and whose first column the
+ * y. Every data set that is wanted becomes a grid of its own. */
 #ifndef DATA_READER_H
 #define DATA_READER_H
 
@@ -21,10 +21,10 @@ enum data_format { DATA_ROWS, DATA_MATRIX, DATA_NONUNIFORM };
 /* What `using`, `index`, `every` and `matrix` say. */
 typedef struct data_spec {
     enum data_format format;
-    char separator;        /* 0: blanks or a comma */
-    int32_t parts;         /* of using: 0 (not given), 1 (z) or 3 */
-    int32_t part[3];       /* column 1.., USING_... */
-    uint64_t wanted;       /* bit c: column c is named by a part or inside an expression */
+    char separator;                        /* 0: blanks or a comma */
+    int32_t parts;                         /* of using: 0 (not given), 1 (z) or 3 */
+    int32_t part[3];                       /* column 1.., USING_... */
+    uint64_t wanted;                       /* bit c: column c is named by a part or inside an expression */
     int32_t first_set, last_set, set_step; /* index: 0, INT32_MAX, 1 */
     int32_t point_step, block_step, first_point, first_block, last_point, last_block; /* every: 1,1,0,0,MAX,MAX */
     /* Computes part number `part` (0..2); reader->column[] holds the row. */
@@ -39,7 +39,7 @@ typedef struct data_reader {
     data_pool_t *pool;
     data_grid_t *grid; /* [grids_max], of the caller */
     int32_t grids, grids_max;
-    num_t column[CONFIG_DATA_COLUMNS + 1]; /* of the row being read: [1] is the first; [0] the point's number */
+    num_t column[CONFIG_DATA_COLUMNS + 1];      /* of the row being read: [1] is the first; [0] the point's number */
     int32_t column_at[CONFIG_DATA_COLUMNS + 1]; /* where it stands in the line */
     uint64_t is_text;                           /* bit c: column c is not a number */
     int32_t parts;                              /* of using, or what the first row made of it */
@@ -49,9 +49,9 @@ typedef struct data_reader {
     int32_t axis_n;                             /* nonuniform matrix: its x, in the pool, downwards from axis */
     packed_t *axis;
     num_t row_y;
-    bool row_known;  /* a row has been seen in this set */
-    bool set_open;   /* grid[grids - 1] is being filled */
-    bool stopped;    /* inline data: the line `e` was seen */
+    bool row_known; /* a row has been seen in this set */
+    bool set_open;  /* grid[grids - 1] is being filled */
+    bool stopped;   /* inline data: the line `e` was seen */
     /* After an error: why, and where (line and character from 1; character 0: the whole line). */
     enum data_grid_trouble trouble;
     int32_t line, at;
@@ -61,8 +61,8 @@ typedef struct data_reader {
  * the line before the first, for messages. */
 void data_reader_start(data_reader_t *r, const data_spec_t *spec, data_pool_t *pool, data_grid_t *grid,
                        int32_t grids_max, bool stop_at_e, int32_t first_line);
-/* Takes n characters. Returns 0, or ERR_DATA or ERR_FULL: trouble, line and at say why and where. Once stopped is set the
- * rest is not looked at. */
+/* Takes n characters. Returns 0, or ERR_DATA or ERR_FULL: trouble, line and at say why and where. Once stopped is set
+ * the rest is not looked at. */
 int data_reader_feed(data_reader_t *r, const char *text, size_t n);
 /* The end of the data. Returns the number of grids, or an error; ERR_EMPTY when there was no point at all. */
 int data_reader_finish(data_reader_t *r);

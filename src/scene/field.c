@@ -26,9 +26,13 @@ void field_start(field_t *f, char separator, bool stop_at_e, int32_t line) {
     *f = (field_t){.separator = separator, .stop_at_e = stop_at_e, .lines = line, .line = line};
 }
 
-static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+static bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
 
-static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+static bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r';
+}
 
 static bool is_separator(const field_t *f, char c) {
     return f->separator ? c == f->separator : c == ',' || is_blank(c);
@@ -41,7 +45,9 @@ static int hex_digit(char c) {
     return -1;
 }
 
-static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
+static char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
 
 static void begin(field_t *f) {
     f->kind = FIELD_NUMBER;
@@ -66,8 +72,10 @@ static void word(field_t *f, char c) {
     bool after_number = f->state >= ZERO && f->state != WORD;
     f->kind = FIELD_TEXT;
     f->state = WORD;
-    if (after_number || f->trailing) f->text_len = sizeof f->text; /* like no word we know */
-    else if (f->text_len < sizeof f->text) f->text[f->text_len++] = lower(c);
+    if (after_number || f->trailing)
+        f->text_len = sizeof f->text; /* like no word we know */
+    else if (f->text_len < sizeof f->text)
+        f->text[f->text_len++] = lower(c);
 }
 
 static bool text_is(const field_t *f, const char *what) {
@@ -82,14 +90,21 @@ static enum field_event complete(field_t *f) {
     case SIGNED:
     case POINT:
     case EXPONENT:
-    case EXP_SIGNED: f->kind = FIELD_TEXT; break;
-    case EXP_DIGITS: f->exp10 += f->exp_negative ? -f->exponent : f->exponent; break;
+    case EXP_SIGNED:
+        f->kind = FIELD_TEXT;
+        break;
+    case EXP_DIGITS:
+        f->exp10 += f->exp_negative ? -f->exponent : f->exponent;
+        break;
     case WORD:
         if (text_is(f, "nan") || text_is(f, "inf") || text_is(f, "infinity") || text_is(f, "?") || text_is(f, "na"))
             f->kind = FIELD_MISSING;
         break;
-    case QUOTED: f->kind = FIELD_TEXT; break;
-    default: break;
+    case QUOTED:
+        f->kind = FIELD_TEXT;
+        break;
+    default:
+        break;
     }
     f->state = BETWEEN;
     f->count++;
@@ -139,24 +154,36 @@ static void next_character(field_t *f, char c) {
     char l = lower(c);
     switch (f->state) {
     case SIGNED:
-        if (c == '0') f->state = ZERO;
-        else if (is_digit(c)) f->state = WHOLE, digit(f, c, false);
-        else if (c == '.') f->state = POINT;
-        else word(f, c); /* -inf */
+        if (c == '0')
+            f->state = ZERO;
+        else if (is_digit(c))
+            f->state = WHOLE, digit(f, c, false);
+        else if (c == '.')
+            f->state = POINT;
+        else
+            word(f, c); /* -inf */
         return;
     case ZERO:
     case WHOLE:
-        if (is_digit(c)) f->state = WHOLE, digit(f, c, false);
-        else if (c == '.') f->state = FRACTION;
-        else if (l == 'e' || l == 'd') f->state = EXPONENT;
-        else if (l == 'x' && f->state == ZERO) f->state = HEX;
-        else word(f, c);
+        if (is_digit(c))
+            f->state = WHOLE, digit(f, c, false);
+        else if (c == '.')
+            f->state = FRACTION;
+        else if (l == 'e' || l == 'd')
+            f->state = EXPONENT;
+        else if (l == 'x' && f->state == ZERO)
+            f->state = HEX;
+        else
+            word(f, c);
         return;
     case POINT:
     case FRACTION:
-        if (is_digit(c)) f->state = FRACTION, digit(f, c, true);
-        else if ((l == 'e' || l == 'd') && f->state == FRACTION) f->state = EXPONENT;
-        else word(f, c);
+        if (is_digit(c))
+            f->state = FRACTION, digit(f, c, true);
+        else if ((l == 'e' || l == 'd') && f->state == FRACTION)
+            f->state = EXPONENT;
+        else
+            word(f, c);
         return;
     case EXPONENT:
         if (c == '-' || c == '+') {
@@ -174,10 +201,14 @@ static void next_character(field_t *f, char c) {
         if (f->exponent < EXPONENT_LIMIT) f->exponent = f->exponent * 10 + (c - '0');
         return;
     case HEX:
-        if (hex_digit(c) < 0 || f->mantissa >> 60) word(f, c);
-        else f->mantissa = f->mantissa << 4 | (uint64_t)hex_digit(c);
+        if (hex_digit(c) < 0 || f->mantissa >> 60)
+            word(f, c);
+        else
+            f->mantissa = f->mantissa << 4 | (uint64_t)hex_digit(c);
         return;
-    default: word(f, c); return;
+    default:
+        word(f, c);
+        return;
     }
 }
 
@@ -189,7 +220,8 @@ static void new_line(field_t *f) {
     f->comment_only = f->at_separator = false;
 }
 
-/* The end of a line: first the field it ends, if any, then the line itself. The newline stays unread in the first case. */
+/* The end of a line: first the field it ends, if any, then the line itself. The newline stays unread in the first case.
+ */
 static enum field_event end_of_line(field_t *f, bool *again) {
     *again = false;
     if (f->state > BETWEEN && f->state != COMMENT) {
@@ -233,14 +265,19 @@ enum field_event field_next(field_t *f, const char **p, const char *end) {
         if (f->state > BETWEEN) {
             bool comment = c == '#';
             if (!comment && !is_separator(f, c)) {
-                if (is_blank(c)) f->trailing = true; /* only where blanks separate nothing */
-                else if (f->trailing) word(f, c);
-                else next_character(f, c);
+                if (is_blank(c))
+                    f->trailing = true; /* only where blanks separate nothing */
+                else if (f->trailing)
+                    word(f, c);
+                else
+                    next_character(f, c);
                 continue;
             }
             enum field_event event = complete(f);
-            if (comment) f->state = COMMENT;
-            else separates_nothing(f, c);
+            if (comment)
+                f->state = COMMENT;
+            else
+                separates_nothing(f, c);
             return event;
         }
         if (c == '#') {

@@ -8,9 +8,9 @@
 #ifndef FIELD_H
 #define FIELD_H
 
+#include "num/num.h"
 #include <stdbool.h>
 #include <stdint.h>
-#include "num/num.h"
 
 enum field_event {
     FIELD_MORE,  /* the chunk is used up */

@@ -1,0 +1,346 @@
+/* session.c - lines and files of lines: continuation, `load`, inline data, reports of errors.
+ *
+ * The bottom frame is fed by session_line(), those above it by files. run() executes the top frame's line command by
+ * command, replaces it by the file's next line, or takes the frame away at the end of the file; so `load` in the
+ * middle of a line, or of a file, needs no recursion. */
+#include "lang/session.h"
+#include "lang/session_parts.h"
+
+static session_frame_t *top(session_t *s) {
+    return &s->frame[s->frames - 1];
+}
+
+static void forget_line(session_frame_t *f) {
+    f->len = 0;
+    f->joins = 0;
+    f->more = false;
+    f->text[0] = '\0';
+    lexer_start(&f->lx, f->text, 0);
+}
+
+void session_init(session_t *s, const session_port_t *port, void *pool, size_t pool_bytes) {
+    memset(s, 0, sizeof *s);
+    s->port = port;
+    s->pool.base = pool;
+    s->pool_size = pool ? pool_bytes / sizeof(packed_t) : 0;
+    s->frames = 1;
+    s->frame[0].handle = -1;
+    forget_line(&s->frame[0]);
+    names_reset(&s->lang);
+    set_reset(s);
+}
+
+void session_source(session_t *s, const char *name) {
+    s->frame[0].name = name;
+    s->frame[0].line = 0;
+}
+
+const settings_t *session_settings(const session_t *s) {
+    return &s->settings;
+}
+
+enum session_state session_state(const session_t *s) {
+    if (s->quit) return SESSION_QUIT;
+    if (s->plot.waiting) return SESSION_DATA;
+    return s->frame[0].more ? SESSION_MORE : SESSION_READY;
+}
+
+bool session_at_end(const lexer_t *lx) {
+    return lx->tok.kind == TOKEN_END || lx->tok.kind == ';';
+}
+
+int session_expect_end(session_t *s, const lexer_t *lx) {
+    return session_at_end(lx) ? 0 : lexer_unexpected(lx, &s->error, "the end of the command expected");
+}
+
+void session_skip(lexer_t *lx) {
+    while (!session_at_end(lx)) lexer_next(lx);
+}
+
+int session_fail(session_t *s, const lexer_t *lx, int code, const char *message) {
+    return lang_error_set(&s->error, code, lexer_column(lx), message);
+}
+
+int session_string(session_t *s, lexer_t *lx, char *out, size_t size, const char *expected) {
+    if (lx->tok.kind != TOKEN_STRING) return lexer_unexpected(lx, &s->error, expected);
+    if (lexer_string(lx, out, size) < 0)
+        return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "too long for its buffer",
+                                     (int32_t)size - 1);
+    lexer_next(lx);
+    return 0;
+}
+
+void session_warn(session_t *s, const char *what, const char *word, size_t len, const char *why) {
+    char buf[160];
+    text_t t = text_start(buf, sizeof buf - 1);
+    const session_frame_t *f = top(s);
+    if (f->name) {
+        text_add(&t, "\"");
+        text_add(&t, f->name);
+        text_add(&t, "\", ");
+    }
+    if (f->first_line) {
+        text_add(&t, "line ");
+        text_add_int(&t, f->first_line);
+        text_add(&t, ": ");
+    }
+    text_add(&t, "warning: ");
+    text_add(&t, what);
+    text_add_bytes(&t, word, len);
+    text_add(&t, why);
+    t.size++; /* the line feed was kept back */
+    text_add(&t, "\n");
+    s->port->warn(s->port->ctx, buf);
+}
+
+void session_warn_once(session_t *s, uint8_t *bits, int index, const char *what, const lexer_t *lx, const char *why) {
+    uint8_t bit = (uint8_t)(1u << (index & 7));
+    if (bits[index >> 3] & bit) return;
+    bits[index >> 3] |= bit;
+    session_warn(s, what, lexer_text(lx), lx->tok.len, why);
+}
+
+/* The error's column counts in the joined line; people want the physical line and its own column. */
+static void place_error(session_t *s, const char **text, size_t *len) {
+    lang_error_t *e = &s->error;
+    const session_frame_t *f = top(s);
+    if (s->in_last) {
+        *text = s->last;
+        *len = strlen(s->last);
+        e->line = f->first_line;
+        return;
+    }
+    uint32_t start = 0, end = f->len;
+    int32_t k = 0;
+    while (k < f->joins && e->column > f->join[k]) start = f->join[k++];
+    if (k < f->joins) end = f->join[k];
+    *text = f->text + start;
+    *len = end - start;
+    if (e->column > 0) e->column -= (int32_t)start;
+    e->line = f->first_line + k;
+}
+
+static void report(session_t *s, const char *name, const char *text, size_t len) {
+    char buf[LANG_PICTURE_MAX];
+    size_t n = lang_error_picture(&s->error, text, len, buf, sizeof buf);
+    while (n > 0 && buf[n - 1] == '\n') buf[--n] = '\0';
+    size_t last = n;
+    while (last > 0 && buf[last - 1] != '\n') last--;
+    const session_port_t *port = s->port;
+    char reason[LANG_ERROR_MAX + 48];
+    text_t t = text_start(reason, sizeof reason - 1);
+    text_add(&t, buf + last);
+    t.size++;
+    text_add(&t, "\n");
+    buf[last] = '\0';
+    port->warn(port->ctx, buf);
+    if (name) {
+        port->warn(port->ctx, "\"");
+        port->warn(port->ctx, name);
+        port->warn(port->ctx, "\", ");
+    }
+    port->warn(port->ctx, reason);
+}
+
+static void pop(session_t *s) {
+    s->port->close(s->port->ctx, top(s)->handle);
+    s->frames--;
+}
+
+/* Reports err and forgets what was under way. */
+static int give_up(session_t *s, int err) {
+    if (s->error.code != err) lang_error_set(&s->error, err, 0, error_text(err));
+    if (s->error.line == 0) { /* in the text, not in data */
+        const char *text;
+        size_t len;
+        place_error(s, &text, &len);
+        report(s, top(s)->name, text, len);
+    } else {
+        report(s, s->plot.waiting ? top(s)->name : s->frame_name[0], "", 0);
+    }
+    while (s->frames > 1) pop(s);
+    forget_line(&s->frame[0]);
+    s->plot.waiting = false;
+    s->in_last = false;
+    return err;
+}
+
+/* Adds a physical line's characters to the frame's logical line. */
+static int append(session_t *s, session_frame_t *f, const char *text, size_t n) {
+    if (n > CONFIG_LINE_MAX - f->len) {
+        f->first_line = f->line;
+        return lang_error_set_number(&s->error, ERR_FULL, 0, "the line is too long; most bytes", CONFIG_LINE_MAX);
+    }
+    memcpy(f->text + f->len, text, n);
+    f->len += (uint32_t)n;
+    return 0;
+}
+
+/* A physical line is complete: either it is continued or the logical line begins to be executed. */
+static void end_line(session_frame_t *f) {
+    if (f->len > 0 && f->text[f->len - 1] == '\r') f->len--;
+    f->more = f->len > 0 && f->text[f->len - 1] == '\\';
+    if (f->more) {
+        f->len--;
+        if (f->joins < CONFIG_JOINS) f->join[f->joins++] = (uint16_t)f->len;
+        return;
+    }
+    f->text[f->len] = '\0';
+    lexer_start(&f->lx, f->text, f->len);
+}
+
+static int refill(session_t *s, session_frame_t *f) {
+    session_chunk_t *c = &s->frame_chunk[s->frames - 1];
+    int n = s->port->read(s->port->ctx, f->handle, c->bytes, CONFIG_READ_CHUNK);
+    c->at = 0;
+    c->len = n > 0 ? n : 0;
+    return n;
+}
+
+/* Characters of a loaded file up to and with the next line feed, as many as are at hand: *text, or an error; 0 at the
+ * end of the file. */
+static int some_of_line(session_t *s, session_frame_t *f, const char **text) {
+    session_chunk_t *c = &s->frame_chunk[s->frames - 1];
+    if (c->at == c->len) {
+        int n = refill(s, f);
+        if (n <= 0) return n;
+    }
+    *text = c->bytes + c->at;
+    int n = 0;
+    while (c->at < c->len) {
+        n++;
+        if (c->bytes[c->at++] == '\n') break;
+    }
+    return n;
+}
+
+/* The next logical line of a loaded file: 1, 0 at its end, or an error. */
+static int next_line(session_t *s, session_frame_t *f) {
+    forget_line(f);
+    f->first_line = f->line + 1;
+    bool any = false;
+    for (;;) {
+        const char *text = NULL;
+        int n = some_of_line(s, f, &text);
+        if (n < 0) return n;
+        bool ended = n > 0 && text[n - 1] == '\n';
+        if (n > 0) {
+            int err = append(s, f, text, (size_t)(ended ? n - 1 : n));
+            if (err) return err;
+            any = true;
+            if (!ended) continue;
+        }
+        if (!any) return 0;
+        f->line++;
+        end_line(f);
+        if (!f->more) return 1;
+        if (n == 0) { /* the file ends in a backslash */
+            f->text[f->len] = '\0';
+            lexer_start(&f->lx, f->text, f->len);
+            return 1;
+        }
+    }
+}
+
+/* One line, or piece of a line, of inline data in a loaded file. */
+static int file_data(session_t *s, session_frame_t *f) {
+    const char *text = NULL;
+    int n = some_of_line(s, f, &text);
+    if (n < 0) return n;
+    if (n == 0) return plot_feed_end(s);
+    bool stopped, ended = text[n - 1] == '\n';
+    if (ended) f->line++;
+    int err = plot_feed(s, text, (size_t)n, &stopped);
+    if (err || !stopped) return err;
+    while (!ended) { /* what is left of the line `e` */
+        n = some_of_line(s, f, &text);
+        if (n <= 0) return n;
+        ended = text[n - 1] == '\n';
+        if (ended) f->line++;
+    }
+    return 0;
+}
+
+static int run(session_t *s) {
+    for (;;) {
+        session_frame_t *f = top(s);
+        int err = 0;
+        if (s->quit) {
+            while (s->frames > 1) pop(s);
+            forget_line(&s->frame[0]);
+            return 0;
+        }
+        if (s->plot.waiting) {
+            if (f->handle < 0) return 0;
+            err = file_data(s, f);
+        } else if (f->lx.tok.kind == TOKEN_END) {
+            if (f->handle < 0) {
+                forget_line(f);
+                return 0;
+            }
+            err = next_line(s, f);
+            if (err == 0) pop(s);
+        } else if (!lexer_accept(&f->lx, ';')) {
+            err = command_execute(s, &f->lx);
+        }
+        if (err < 0) return err;
+    }
+}
+
+int session_load(session_t *s, const char *name, const lexer_t *at) {
+    if (s->frames > CONFIG_LOAD_DEPTH)
+        return lang_error_set_number(&s->error, ERR_FULL, lexer_column(at), "files loaded within files; most",
+                                     CONFIG_LOAD_DEPTH);
+    int handle = s->port->open(s->port->ctx, name);
+    if (handle < 0) return lang_error_set_name(&s->error, handle, lexer_column(at), "cannot load", name, strlen(name));
+    char *own = s->frame_name[s->frames];
+    text_t t = text_start(own, CONFIG_NAME_MAX + 1);
+    text_add(&t, name);
+    s->frame_chunk[s->frames].at = s->frame_chunk[s->frames].len = 0;
+    session_frame_t *f = &s->frame[s->frames++];
+    f->handle = handle;
+    f->name = own;
+    f->line = 0;
+    forget_line(f);
+    return 0;
+}
+
+int session_line(session_t *s, const char *text) {
+    session_frame_t *f = &s->frame[0];
+    size_t n = strlen(text);
+    while (n > 0 && (text[n - 1] == '\n' || text[n - 1] == '\r')) n--;
+    int err = 0;
+    s->error = (lang_error_t){0};
+    f->line++;
+    if (s->quit) return 0;
+    if (s->plot.waiting) {
+        bool stopped;
+        err = plot_feed(s, text, n, &stopped);
+        if (!err && !stopped) err = plot_feed(s, "\n", 1, &stopped);
+    } else {
+        if (!f->more) {
+            forget_line(f);
+            f->first_line = f->line;
+        }
+        err = append(s, f, text, n);
+        if (!err) {
+            end_line(f);
+            if (f->more) return 0;
+        }
+    }
+    if (!err) err = run(s);
+    return err < 0 ? give_up(s, err) : 0;
+}
+
+int session_end(session_t *s) {
+    session_frame_t *f = &s->frame[0];
+    int err = 0;
+    s->error = (lang_error_t){0};
+    while (!err && s->plot.waiting) err = plot_feed_end(s);
+    if (!err && f->more) {
+        forget_line(f);
+        err = lang_error_set(&s->error, ERR_SYNTAX, 0, "the last line is to be continued, but nothing follows");
+    }
+    if (!err) err = run(s);
+    return err < 0 ? give_up(s, err) : 0;
+}

@@ -1,0 +1,68 @@
+/* session_parts.h - how the files of src/lang that carry out commands call each other. Not for other folders.
+ *
+ * Every function that takes a lexer starts at its current token and returns 0 with the lexer at the command's end, or
+ * a negative error with s->error filled, column included. */
+#ifndef SESSION_PARTS_H
+#define SESSION_PARTS_H
+
+#include "lang/session.h"
+#include "lang/text.h"
+
+/* session.c */
+/* Is the current token the end of a command? */
+bool session_at_end(const lexer_t *lx);
+/* ERR_SYNTAX unless it is. */
+int session_expect_end(session_t *s, const lexer_t *lx);
+/* Goes on to the end of the command, whatever it holds. */
+void session_skip(lexer_t *lx);
+/* An error at the current token. */
+int session_fail(session_t *s, const lexer_t *lx, int code, const char *message);
+/* Copies the string at lx, which must be one, and goes on. size bytes with the zero. */
+int session_string(session_t *s, lexer_t *lx, char *out, size_t size, const char *expected);
+/* `what word why`, with the line, for people. */
+void session_warn(session_t *s, const char *what, const char *word, size_t len, const char *why);
+/* The same once for each bit. */
+void session_warn_once(session_t *s, uint8_t *bits, int index, const char *what, const lexer_t *lx, const char *why);
+/* Begins to execute a file at the next command. */
+int session_load(session_t *s, const char *name, const lexer_t *at);
+
+/* commands.c */
+int command_execute(session_t *s, lexer_t *lx);
+
+/* set.c */
+int set_command(session_t *s, lexer_t *lx);
+int set_unset_command(session_t *s, lexer_t *lx);
+void set_reset(session_t *s);
+/* An integer within [lo, hi]; what names it in the message. */
+int set_integer(session_t *s, lexer_t *lx, int32_t lo, int32_t hi, int32_t *out, const char *message);
+/* A number times 10^decimals, rounded, within [lo, hi] (already scaled). */
+int set_scaled(session_t *s, lexer_t *lx, int decimals, int64_t lo, int64_t hi, int64_t *out, const char *message);
+
+/* set_range.c: `[lo:hi]`, at its bracket. With name, also `[u=lo:hi]`; *name is then at u. */
+int set_range(session_t *s, lexer_t *lx, range_t *r, lexer_t *name);
+int set_range_option(session_t *s, lexer_t *lx, range_t *r);
+int set_autoscale(session_t *s, lexer_t *lx);
+
+/* set_view.c, set_page.c, set_machine.c */
+int set_view(session_t *s, lexer_t *lx);
+int set_hidden3d(session_t *s, lexer_t *lx);
+int set_xyplane(session_t *s, lexer_t *lx);
+int set_paper(session_t *s, lexer_t *lx);
+int set_machine(session_t *s, lexer_t *lx);
+
+/* show.c, help.c */
+int show_command(session_t *s, lexer_t *lx);
+void show_machine(session_t *s, text_t *t);
+int help_command(session_t *s, lexer_t *lx);
+
+/* plot_parse.c: the whole command becomes s->plot.source[]; nothing is read or drawn. lx: behind the command's word. */
+int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind);
+/* plot_run.c */
+int plot_command(session_t *s, lexer_t *lx, enum plot_kind kind);
+int plot_replot(session_t *s, lexer_t *lx);
+/* Inline data, any number of characters. *stopped: the line `e` was among them, and the plot went on or is done. */
+int plot_feed(session_t *s, const char *text, size_t n, bool *stopped);
+/* The end of the text in place of a line `e`. */
+int plot_feed_end(session_t *s);
+
+#endif

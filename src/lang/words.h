@@ -1,0 +1,69 @@
+/* words.h - the keywords of the language with gnuplot's shortest abbreviations: "sp$lot" is sp, spl, splo or splot.
+ *
+ * A table is searched from its start and the first match counts, as in gnuplot, so its order decides what an
+ * abbreviation that fits several words means. */
+#ifndef WORDS_H
+#define WORDS_H
+
+#include "lang/lexer.h"
+
+typedef struct word {
+    const char *pattern; /* NULL ends a table */
+    uint8_t id;
+} word_t;
+
+/* The index in the table of the current token, or -1. Does not go on. */
+int words_find(const word_t *table, const lexer_t *lx);
+/* The same for len bytes of text. */
+bool words_match(const char *pattern, const char *text, size_t len);
+
+enum command_id {
+    CMD_EXIT,
+    CMD_HELP,
+    CMD_LOAD,
+    CMD_PAUSE,
+    CMD_PLOT,
+    CMD_PRINT,
+    CMD_REPLOT,
+    CMD_RESET,
+    CMD_SET,
+    CMD_SHOW,
+    CMD_SPLOT,
+    CMD_UNSET,
+    CMD_IGNORED,     /* gnuplot's, without a meaning for a plotter: one warning, skipped */
+    CMD_UNSUPPORTED, /* gnuplot's, and skipping it would change what follows: an error */
+};
+extern const word_t words_command[];
+/* A bit for a warning already given: one per word of words_command and words_set. */
+#define WORDS_COMMAND_MAX 64
+
+enum set_id {
+    SET_AUTOSCALE,
+    SET_DATAFILE,
+    SET_DUMMY,
+    SET_HIDDEN3D,
+    SET_ISOSAMPLES,
+    SET_MACHINE,
+    SET_PAPER,
+    SET_SAMPLES,
+    SET_STYLE,
+    SET_TITLE,
+    SET_VIEW,
+    SET_XRANGE,
+    SET_YRANGE,
+    SET_ZRANGE,
+    SET_XYPLANE,
+    SET_TICSLEVEL,
+    SET_ALL,       /* show only */
+    SET_VARIABLES, /* show only */
+    SET_FUNCTIONS, /* show only */
+    SET_VERSION,   /* show only */
+    SET_IGNORED,
+};
+extern const word_t words_set[];
+#define WORDS_SET_MAX 192
+
+enum style_id { STYLE_LINES, STYLE_OTHER };
+extern const word_t words_style[];
+
+#endif

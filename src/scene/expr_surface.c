@@ -1,0 +1,81 @@
+/* expr_surface.c - points of an expression, computed on demand. */
+#include "scene/expr_surface.h"
+
+void expr_surface_source(expr_source_t *s, lang_t *lang, const expr_t *expr) {
+    *s = (expr_source_t){.lang = lang, .expr = *expr, .random = expr_is_impure(lang, expr)};
+    s->seed[0] = lang->seed[0];
+    s->seed[1] = lang->seed[1];
+}
+
+static uint64_t mix(uint64_t h, num_t a) {
+    /* splitmix64's finaliser over the bits of the number */
+    h += (uint64_t)a.m + ((uint64_t)(uint16_t)a.e << 1);
+    h = (h ^ h >> 30) * 0xbf58476d1ce4e5b9u;
+    h = (h ^ h >> 27) * 0x94d049bb133111ebu;
+    return h ^ h >> 31;
+}
+
+static void seed_for(expr_source_t *s, const num_t *at, int n) {
+    uint64_t h = (uint64_t)s->seed[0] << 32 | s->seed[1];
+    for (int k = 0; k < n; k++) h = mix(h, at[k]);
+    s->lang->seed[0] = (uint32_t)h;
+    s->lang->seed[1] = (uint32_t)(h >> 32);
+}
+
+static num_t evaluate(expr_source_t *s, const num_t *at, int n) {
+    value_t v;
+    if (s->random) seed_for(s, at, n);
+    int err = expr_eval(s->lang, &s->expr, at, &v);
+    if (err && !s->error) s->error = err;
+    return value_num(v);
+}
+
+static num_t place(const expr_grid_t *g, int k, int32_t i) {
+    if (i == 0) return g->lo[k];
+    if (i == g->n[k] - 1) return g->hi[k];
+    return num_add(g->lo[k], num_mul(num_from_i64(i), g->step[k]));
+}
+
+static num_t x_of(void *ctx, int32_t i) {
+    return place(ctx, 0, i);
+}
+
+static num_t y_of(void *ctx, int32_t j) {
+    return place(ctx, 1, j);
+}
+
+num_t expr_surface_z_at(void *ctx, num_t x, num_t y) {
+    expr_grid_t *g = ctx;
+    num_t at[2] = {x, y};
+    return evaluate(g->source, at, 2);
+}
+
+static num_t z_of(void *ctx, int32_t i, int32_t j) {
+    return expr_surface_z_at(ctx, place(ctx, 0, i), place(ctx, 1, j));
+}
+
+static num_t y_at(void *ctx, int32_t i) {
+    expr_grid_t *g = ctx;
+    num_t x = place(g, 0, i);
+    return evaluate(g->source, &x, 1);
+}
+
+static void sample(expr_grid_t *g, int k, num_t lo, num_t hi, int32_t n) {
+    g->lo[k] = lo;
+    g->hi[k] = hi;
+    g->n[k] = n;
+    g->step[k] = num_div(num_sub(hi, lo), num_from_i64(n - 1));
+}
+
+void expr_surface_grid(expr_grid_t *g, expr_source_t *source, const num_t lo[2], const num_t hi[2], const int32_t n[2],
+                       surface_t *out) {
+    g->source = source;
+    for (int k = 0; k < 2; k++) sample(g, k, lo[k], hi[k], n[k]);
+    *out = (surface_t){n[0], n[1], g, x_of, y_of, z_of};
+}
+
+void expr_surface_curve(expr_grid_t *g, expr_source_t *source, num_t lo, num_t hi, int32_t n, curve_t *out) {
+    g->source = source;
+    sample(g, 0, lo, hi, n);
+    *out = (curve_t){n, g, x_of, y_at};
+}
