@@ -1,0 +1,43 @@
+/* judge.h - how wrong is a drawing of a surface? Lengths on the page, against the reference.
+ *
+ * Missing ink is visible and not drawn; false ink is drawn and hidden (or on an edge that does not exist). `raw`
+ * figures compare with the reference point by point. The others forgive what one motor step could hide: ink is missing
+ * only where the line is visible also when moved by one step to either side on the page, false only where it is hidden
+ * also then. Each figure is the longest unbroken run along a grid line, in mm. */
+#ifndef JUDGE_H
+#define JUDGE_H
+
+#include <stddef.h>
+
+#include "tests/oracle/page_view.h"
+#include "tests/oracle/surface_ref.h"
+
+#define JUDGE_STEP_MM 0.0125
+
+/* A drawn part of a grid line: from and to count its vertices, the fraction is the position in space. */
+typedef struct judge_piece {
+    int family, line; /* REF_ROW or REF_COL */
+    double from, to;
+} judge_piece_t;
+
+typedef struct judge_spot {
+    int family, line;
+    double from, to;
+} judge_spot_t;
+
+typedef struct judge_report {
+    double missing_mm, false_mm;
+    double raw_missing_mm, raw_false_mm;
+    double twice_mm;  /* longest run drawn more than once */
+    double end_steps; /* largest displacement of an end of ink, along the line or by what move across explains it */
+    double ink_mm, visible_mm;          /* sums */
+    judge_spot_t missing, falsely, end; /* where the worst is (to: not used for end) */
+} judge_report_t;
+
+/* Judges n pieces. Returns 0, or -1 when a piece is not on the grid. */
+int judge_pieces(const surface_ref_t *r, const page_view_t *v, const judge_piece_t *piece, size_t n,
+                 judge_report_t *out);
+/* Takes the worse of both. */
+void judge_worst(judge_report_t *all, const judge_report_t *one);
+
+#endif

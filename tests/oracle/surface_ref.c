@@ -1,0 +1,251 @@
+/* One edge against every cell between it and the eye; surface_ref.h has the argument.
+ *
+ * Corners of a cell are counter-clockwise from the south-west one, side k runs from corner k to k + 1:
+ *
+ *        C3 --2-- C2         side k is near if the eye is outside of it, far if it is inside; the ground ray to
+ *        3         1         P crosses a near side k when P is left of Ck's ray and right of Ck+1's with the
+ *        C0 --0-- C1         signs below, a far side the other way round. */
+#include "tests/oracle/surface_ref.h"
+
+#include <math.h>
+
+enum { SOUTH, EAST, NORTH, WEST };
+enum nadir { NADIR_BELOW, NADIR_ABOVE, NADIR_UNSURE };
+
+/* The edge in question, with the box of its node indices. */
+typedef struct query {
+    const surface_ref_t *r;
+    exact_point_t p[2];
+    int imin, imax, jmin, jmax;
+    int lean; /* +1, -1: seen from a little to the left, right of a vertical plane that holds it; else 0 */
+} query_t;
+
+typedef struct interval {
+    long double lo, hi;
+} interval_t;
+
+exact_point_t surface_ref_node(const surface_ref_t *r, int i, int j) {
+    return (exact_point_t){r->x[i], r->y[j], r->z[j * r->nx + i]};
+}
+
+static bool defined(const surface_ref_t *r, int i, int j) {
+    return !r->hole || !r->hole[j * r->nx + i];
+}
+
+bool surface_ref_cell_exists(const surface_ref_t *r, int ci, int cj) {
+    return ci >= 0 && cj >= 0 && ci + 1 < r->nx && cj + 1 < r->ny && defined(r, ci, cj) && defined(r, ci + 1, cj) &&
+           defined(r, ci, cj + 1) && defined(r, ci + 1, cj + 1);
+}
+
+bool surface_ref_edge_exists(const surface_ref_t *r, int family, int line, int k) {
+    return family == REF_ROW ? surface_ref_cell_exists(r, k, line) || surface_ref_cell_exists(r, k, line - 1)
+                             : surface_ref_cell_exists(r, line, k) || surface_ref_cell_exists(r, line - 1, k);
+}
+
+void surface_ref_edge_ends(const surface_ref_t *r, int family, int line, int k, exact_point_t end[2]) {
+    for (int s = 0; s < 2; s++)
+        end[s] = family == REF_ROW ? surface_ref_node(r, k + s, line) : surface_ref_node(r, line, k + s);
+}
+
+/* Keeps of v where the linear function with end values f0, f1 is positive. */
+static void keep_positive(interval_t *v, long double f0, long double f1) {
+    if (f0 <= 0 && f1 <= 0) v->hi = v->lo - 1;
+    if (f0 >= 0 || f1 >= 0) {
+        if (f0 < 0) v->lo = fmaxl(v->lo, f0 / (f0 - f1));
+        if (f1 < 0) v->hi = fminl(v->hi, f0 / (f0 - f1));
+    }
+}
+
+/* Sign of the eye's distance to the inside of a side: negative for a near side. */
+static int inside(const surface_ref_t *r, int ci, int cj, int side) {
+    const exact_eye_t *e = &r->eye;
+    double at = side == SOUTH ? r->y[cj] : side == NORTH ? r->y[cj + 1] : side == WEST ? r->x[ci] : r->x[ci + 1];
+    double d = side == SOUTH || side == NORTH ? e->y : e->x;
+    if (!e->h) at = 0;
+    int s = (d > at) - (d < at);
+    return side == SOUTH || side == WEST ? s : -s;
+}
+
+/* Has P gone past a near side into the cell, and past a far side out of it? The grid's lines part nodes exactly. */
+static bool past_near(const query_t *q, int ci, int cj, int side) {
+    return side == SOUTH   ? q->jmax > cj
+           : side == NORTH ? q->jmin < cj + 1
+           : side == WEST  ? q->imax > ci
+                           : q->imin < ci + 1;
+}
+static bool past_far(const query_t *q, int ci, int cj, int side) {
+    return side == SOUTH   ? q->jmax <= cj
+           : side == NORTH ? q->jmin >= cj + 1
+           : side == WEST  ? q->imax <= ci
+                           : q->imin >= ci + 1;
+}
+
+/* Is the surface below or above the eye in the cell that contains its foot? Asked of both triangulations. */
+static enum nadir nadir_of(const surface_ref_t *r, const exact_point_t c[4]) {
+    exact_point_t e = {r->eye.x, r->eye.y, r->eye.z};
+    long double s =
+        exact_left(&c[0], &c[2], &e) <= 0 ? exact_above(&c[0], &c[1], &c[2], &e) : exact_above(&c[0], &c[2], &c[3], &e);
+    long double t =
+        exact_left(&c[1], &c[3], &e) >= 0 ? exact_above(&c[0], &c[1], &c[3], &e) : exact_above(&c[1], &c[2], &c[3], &e);
+    return s > 0 && t > 0 ? NADIR_BELOW : s < 0 && t < 0 ? NADIR_ABOVE : NADIR_UNSURE;
+}
+
+/* Adds what cell (ci, cj) hides of the edge. */
+static void cell_hides(const query_t *q, int ci, int cj, spans_t *hidden, spans_t *either) {
+    const surface_ref_t *r = q->r;
+    exact_point_t c[4] = {surface_ref_node(r, ci, cj), surface_ref_node(r, ci + 1, cj),
+                          surface_ref_node(r, ci + 1, cj + 1), surface_ref_node(r, ci, cj + 1)};
+    long double a[4][2]; /* left of the ray to corner k, at the edge's two ends */
+    int left = 0, right = 0;
+    for (int k = 0; k < 4; k++) {
+        for (int s = 0; s < 2; s++) a[k][s] = exact_side(&r->eye, &c[k], &q->p[s]);
+        if (q->lean && a[k][0] == 0 && a[k][1] == 0)
+            for (int s = 0; s < 2; s++) a[k][s] = q->lean * exact_ahead(&r->eye, &c[k], &q->p[s]);
+        for (int s = 0; s < 2; s++) left += a[k][s] > 0, right += a[k][s] < 0;
+    }
+    if (!left || !right) return;
+    int in[4], outside = 0;
+    for (int k = 0; k < 4; k++) in[k] = inside(r, ci, cj, k), outside += in[k] < 0;
+    for (int m = 0; m < 4; m++) {
+        int m1 = (m + 1) & 3;
+        if (in[m] <= 0 || !past_far(q, ci, cj, m)) continue;
+        interval_t far = {0, 1};
+        keep_positive(&far, a[m][0], a[m][1]);
+        keep_positive(&far, -a[m1][0], -a[m1][1]);
+        if (!(far.lo < far.hi)) continue;
+        long double v0 = exact_plane(&r->eye, &c[m], &c[m1], &q->p[0]);
+        long double v1 = exact_plane(&r->eye, &c[m], &c[m1], &q->p[1]);
+        if (!outside) { /* the eye's foot is in this cell: it covers all from straight below (above) to its far side */
+            enum nadir n = nadir_of(r, c);
+            if (n == NADIR_BELOW) keep_positive(&far, -v0, -v1);
+            if (n == NADIR_ABOVE) keep_positive(&far, v0, v1);
+            spans_add(n == NADIR_UNSURE ? either : hidden, far.lo, far.hi);
+            continue;
+        }
+        for (int k = 0; k < 4; k++) {
+            int k1 = (k + 1) & 3;
+            if (in[k] >= 0 || !past_near(q, ci, cj, k)) continue;
+            interval_t both = far;
+            keep_positive(&both, -a[k][0], -a[k][1]);
+            keep_positive(&both, a[k1][0], a[k1][1]);
+            if (!(both.lo < both.hi)) continue;
+            long double u0 = exact_plane(&r->eye, &c[k], &c[k1], &q->p[0]);
+            long double u1 = exact_plane(&r->eye, &c[k], &c[k1], &q->p[1]);
+            for (int s = -1; s <= 1; s += 2) { /* above the one and below the other, and the reverse */
+                interval_t t = both;
+                keep_positive(&t, s * u0, s * u1);
+                keep_positive(&t, s * v0, s * v1);
+                spans_add(hidden, t.lo, t.hi);
+            }
+        }
+    }
+}
+
+/* Widens [*lo, *hi] by the abscissae of segment p-q within the slab ylo <= y <= yhi. */
+static void slab_range(const long double p[2], const long double q[2], long double ylo, long double yhi,
+                       long double *lo, long double *hi) {
+    long double t0 = 0, t1 = 1, dy = q[1] - p[1];
+    if (dy == 0) {
+        if (p[1] < ylo || p[1] > yhi) return;
+    } else {
+        long double a = (ylo - p[1]) / dy, b = (yhi - p[1]) / dy;
+        t0 = fmaxl(0, fminl(a, b));
+        t1 = fminl(1, fmaxl(a, b));
+        if (t0 > t1) return;
+    }
+    long double a = p[0] + t0 * (q[0] - p[0]), b = p[0] + t1 * (q[0] - p[0]);
+    *lo = fminl(*lo, fminl(a, b));
+    *hi = fmaxl(*hi, fmaxl(a, b));
+}
+
+/* Ground quadrilateral between the edge and the eye (or, for a parallel view, a point beyond the grid). */
+static void footprint(const query_t *q, long double f[4][2]) {
+    const surface_ref_t *r = q->r;
+    long double reach = r->x[r->nx - 1] - r->x[0] + (r->y[r->ny - 1] - r->y[0]);
+    long double size = fabsl(r->eye.x) + fabsl(r->eye.y);
+    for (int s = 0; s < 2; s++) {
+        f[s][0] = q->p[s].x;
+        f[s][1] = q->p[s].y;
+        f[3 - s][0] = r->eye.h ? (long double)r->eye.x : f[s][0] + (size > 0 ? 2 * reach * r->eye.x / size : 0);
+        f[3 - s][1] = r->eye.h ? (long double)r->eye.y : f[s][1] + (size > 0 ? 2 * reach * r->eye.y / size : 0);
+    }
+}
+
+/* Calls every cell that may hide something; the margins only cost time. */
+static void all_cells(const query_t *q, int skip_own, int skip_touching, spans_t *hidden, spans_t *either) {
+    const surface_ref_t *r = q->r;
+    long double f[4][2];
+    footprint(q, f);
+    long double slack_x = 1e-9L * (r->x[r->nx - 1] - r->x[0]), slack_y = 1e-9L * (r->y[r->ny - 1] - r->y[0]);
+    for (int cj = 0; cj + 1 < r->ny; cj++) {
+        long double lo = INFINITY, hi = -INFINITY;
+        for (int k = 0; k < 4; k++)
+            slab_range(f[k], f[(k + 1) & 3], r->y[cj] - slack_y, r->y[cj + 1] + slack_y, &lo, &hi);
+        if (lo > hi) continue;
+        for (int ci = 0; ci + 1 < r->nx; ci++) {
+            if (r->x[ci + 1] < lo - slack_x) continue;
+            if (r->x[ci] > hi + slack_x) break;
+            if (!surface_ref_cell_exists(r, ci, cj)) continue;
+            bool touches = q->imax >= ci && q->imin <= ci + 1 && q->jmax >= cj && q->jmin <= cj + 1;
+            bool own = q->imin >= ci && q->imax <= ci + 1 && q->jmin >= cj && q->jmax <= cj + 1;
+            if ((own && skip_own) || (touches && skip_touching)) continue;
+            cell_hides(q, ci, cj, hidden, either);
+        }
+    }
+    spans_tidy(hidden);
+    spans_tidy(either);
+}
+
+static query_t query_of(const surface_ref_t *r, int family, int line, int k) {
+    query_t q = {.r = r};
+    surface_ref_edge_ends(r, family, line, k, q.p);
+    q.imin = family == REF_ROW ? k : line;
+    q.imax = family == REF_ROW ? k + 1 : line;
+    q.jmin = family == REF_ROW ? line : k;
+    q.jmax = family == REF_ROW ? line : k + 1;
+    return q;
+}
+
+/* For an edge in a vertical plane through the eye: both when either side hides it; else the doubt. */
+static void two_sided(query_t *q, bool own, bool touching, spans_t *hidden, spans_t *either) {
+    spans_t side[2] = {{0}, {0}}, both = {0}, doubt = {0};
+    for (int s = 0; s < 2; s++) {
+        q->lean = s ? -1 : 1;
+        all_cells(q, own, touching, &side[s], either);
+    }
+    spans_intersect(&side[0], &side[1], &both);
+    spans_copy(&both, hidden);
+    for (int s = 0; s < 2; s++) {
+        spans_subtract(&side[s], &both, &doubt);
+        for (size_t i = 0; i < doubt.n; i++) spans_add(either, doubt.s[i].a, doubt.s[i].b);
+    }
+    spans_tidy(either);
+    spans_free(&side[0]);
+    spans_free(&side[1]);
+    spans_free(&both);
+    spans_free(&doubt);
+}
+
+static void look(query_t *q, bool own, bool touching, spans_t *hidden, spans_t *either) {
+    spans_clear(hidden);
+    spans_clear(either);
+    if (exact_side(&q->r->eye, &q->p[0], &q->p[1]) == 0)
+        two_sided(q, own, touching, hidden, either);
+    else
+        all_cells(q, own, touching, hidden, either);
+}
+
+void surface_ref_edge(const surface_ref_t *r, int family, int line, int k, spans_t *hidden, spans_t *either) {
+    query_t q = query_of(r, family, line, k);
+    look(&q, false, false, hidden, either);
+}
+
+void surface_ref_moved(const surface_ref_t *r, int family, int line, int k, const exact_point_t moved[2],
+                       enum ref_skip skip, spans_t *hidden) {
+    query_t q = query_of(r, family, line, k);
+    spans_t either = {0};
+    q.p[0] = moved[0];
+    q.p[1] = moved[1];
+    look(&q, true, skip == REF_SKIP_TOUCHING, hidden, &either);
+    spans_free(&either);
+}
