@@ -16,6 +16,7 @@ typedef struct line {
     spans_t page;    /* exists and is on the page */
     spans_t hidden;  /* of it, hidden or not existing */
     spans_t visible; /* of it, visible without a tie */
+    spans_t tied;    /* of it, either */
     spans_t drawn;
 } line_t;
 
@@ -85,6 +86,7 @@ static void look_at_line(line_t *l) {
     spans_tidy(&l->hidden);
     spans_tidy(&unseen);
     spans_subtract(&l->page, &unseen, &l->visible);
+    spans_subtract(&unseen, &l->hidden, &l->tied);
     spans_free(&hidden);
     spans_free(&either);
     spans_free(&unseen);
@@ -177,13 +179,21 @@ static bool explained(const line_t *l, long double t, double d) {
     return found;
 }
 
-static double end_error(const line_t *l, const spans_t *seen, long double t) {
+/* Steps along the line from t to the nearest end of an interval of s. */
+static double along(const line_t *l, const spans_t *s, long double t) {
     double best = INFINITY;
-    for (size_t i = 0; i < seen->n; i++)
-        for (int s = 0; s < 2; s++) {
-            long double e = s ? seen->s[i].b : seen->s[i].a;
+    for (size_t i = 0; i < s->n; i++)
+        for (int k = 0; k < 2; k++) {
+            long double e = k ? s->s[i].b : s->s[i].a;
             best = fmin(best, length(l, fminl(e, t), fmaxl(e, t)) / STEP);
         }
+    return best;
+}
+
+static double end_error(const line_t *l, const spans_t *seen, long double t) {
+    for (size_t i = 0; i < l->tied.n; i++)
+        if (t >= l->tied.s[i].a && t <= l->tied.s[i].b) return 0;
+    double best = fmin(along(l, seen, t), along(l, &l->tied, t));
     for (double d = CLOSE_ENOUGH; d < 3 && best > d; d *= 2)
         if (explained(l, t, d)) best = d;
     return best;
@@ -258,13 +268,14 @@ int judge_pieces(const surface_ref_t *r, const page_view_t *v, const judge_piece
             line_t l = {.r = r, .v = v, .family = family, .index = index, .edges = edges};
             size_t first = at;
             while (at < n && sorted[at].family == family && sorted[at].line == index && sorted[at].from >= 0 &&
-                   sorted[at].to <= edges && sorted[at].from < sorted[at].to)
+                   sorted[at].to <= edges && sorted[at].from <= sorted[at].to)
                 at++;
             take_pieces(&l, sorted + first, at - first, out);
             judge_line(&l, out);
             spans_free(&l.page);
             spans_free(&l.hidden);
             spans_free(&l.visible);
+            spans_free(&l.tied);
             spans_free(&l.drawn);
         }
     }
