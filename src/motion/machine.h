@@ -11,18 +11,18 @@
 enum machine_kinematics { MACHINE_CARTESIAN, MACHINE_COREXY };
 
 typedef struct machine {
-    uint32_t steps_per_mm_q16[2];   /* motors A and B (cartesian: X and Y) */
-    uint32_t draw_speed_um_s;       /* pen down */
-    uint32_t travel_speed_um_s;     /* pen up */
-    uint32_t accel_um_s2;           /* of the pen's point, along its path and across it */
-    uint32_t junction_um;           /* junction deviation; 0 stops at every corner */
-    uint32_t lift_us, lower_us;     /* how long the pen takes; nothing moves meanwhile */
-    uint32_t enable_us;             /* after motors on, before the first step */
+    uint32_t steps_per_mm_q16[2]; /* motors A and B (cartesian: X and Y) */
+    uint32_t draw_speed_um_s;     /* pen down */
+    uint32_t travel_speed_um_s;   /* pen up */
+    uint32_t accel_um_s2;         /* of the pen's point, along its path and across it */
+    uint32_t junction_um;         /* junction deviation; 0 stops at every corner */
+    uint32_t lift_us, lower_us;   /* how long the pen takes; nothing moves meanwhile */
+    uint32_t enable_us;           /* after motors on, before the first step */
     uint32_t dir_setup_ns, pulse_ns;
-    bool invert[2];                 /* turn a motor's direction round */
-    bool swap_xy;                   /* page x on motor B and page y on motor A */
+    bool invert[2]; /* turn a motor's direction round */
+    bool swap_xy;   /* page x on motor B and page y on motor A */
     enum machine_kinematics kinematics;
-    int32_t width_um, height_um;    /* reach; 0 = no limit */
+    int32_t width_um, height_um; /* reach; 0 = no limit */
 } machine_t;
 
 void machine_default(machine_t *m);

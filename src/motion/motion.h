@@ -41,7 +41,9 @@ typedef struct motion {
     tracer_t tracer;
     uint32_t draw_top_q3, travel_top_q3;
     bool estimate; /* no stepping, only the time */
-    bool started, down, pending_move, pending_vertex;
+    bool started;  /* motors are on */
+    bool down, pending_move, pending_vertex;
+    uint64_t down_q3, up_q3;
     page_point_t at; /* last planned vertex */
     page_point_t move_to, vertex;
     int32_t near_lat;     /* a quarter step */
@@ -60,8 +62,9 @@ typedef struct motion {
  * becomes the queue of pieces (at most 64), the rest look-ahead. Only one motion_t that steps can be active, as there
  * is one step interrupt; any number that estimate can be.
  * Returns 0, ERR_FULL (mem below MOTION_BYTES_MIN), ERR_MACHINE (a number of the machine is out of range:
- * 1..65535 steps/mm, speeds 1 um/s..4 m/s, acceleration 1 mm/s^2..100 m/s^2, and no axis faster than pulse width and
- * direction set-up allow: interval >= 2 * (pulse + max(pulse, set-up) + 1 us)). */
+ * steps/mm above 1/16, speeds 1 mm/s..4 m/s, acceleration 10 mm/s^2..100 m/s^2, junction deviation up to 10 mm, delays
+ * up to 60 s, set-up and pulse up to 1 ms, and no axis faster than pulse width and direction set-up allow: interval >=
+ * 2 * (pulse + max(pulse, set-up) + 1 us)). */
 int motion_init(motion_t *m, const machine_t *machine, void *mem, size_t bytes);
 /* The same planner without steps: motion_finish tells the time, lengths and lifts (steps stay 0). No hal call is made.
  * Cost: about 50 ns per segment on a desktop. */

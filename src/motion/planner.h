@@ -13,7 +13,8 @@
  *
  * A run is the path from one stop to the next (pen lifts, the end). Its blocks wait in a ring; a block leaves once no
  * later block could change its plan, so the result is that of infinite look-ahead as long as the ring covers the
- * stopping distance. When it does not, the oldest eighth leaves with a plan that could still stop at the newest vertex.
+ * stopping distance. When it does not, the oldest sixteenth leaves with a plan that could still stop at the newest
+ * vertex.
  *
  * Cost: one root and no division per block that does not limit the speed, one division more per limit that does.
  * Context: main loop only. */
@@ -37,7 +38,7 @@ typedef struct planner_block {
 
 typedef struct planner {
     planner_block_t *ring;  /* caller's memory */
-    uint32_t size;          /* blocks in the ring, any number from 4 */
+    uint32_t size;          /* blocks in the ring, any number from 2 */
     uint32_t first, count;  /* oldest block and how many */
     uint32_t final;         /* of those, how many may leave */
     page_point_t last;      /* where the newest block ends */
@@ -62,13 +63,14 @@ typedef struct planner_move {
 /* Height of a speed: v^2 / 2a. speed_um_s up to 4,000,000, accel_um_s2 from 1; saturates at PLANNER_HEIGHT_MAX_Q3. */
 uint32_t planner_height_q3(uint32_t speed_um_s, uint32_t accel_um_s2);
 
-/* ring: size blocks (at least 4), the caller's for as long as the planner is used. */
+/* ring: size blocks (at least 2), the caller's for as long as the planner is used. */
 void planner_init(planner_t *p, planner_block_t *ring, uint32_t size, uint32_t junction_um);
 /* Starts a run at rest at `at`. The run before must have been taken to its end. */
 void planner_begin(planner_t *p, page_point_t at, uint32_t top_q3);
 bool planner_full(const planner_t *p);
-/* Appends a line to the run; not when full, not of length 0 (ignored). |coordinates| < PLANNER_REACH_LAT. */
-void planner_add(planner_t *p, page_point_t to);
+/* Appends a line to the run; not when full. |coordinates| < PLANNER_REACH_LAT. Returns its length in q3 lat; 0: the
+ * point is where the run already was, and nothing was appended. */
+uint32_t planner_add(planner_t *p, page_point_t to);
 /* Takes the oldest line. While the run goes on (`ending` false) it gives lines only when the ring is full, so that
  * what comes out depends on the path alone and not on when it was asked. False if there is none to give. */
 bool planner_take(planner_t *p, bool ending, planner_move_t *out);

@@ -37,7 +37,8 @@ typedef struct stepgen_piece {
     bool rest;       /* the machine stands still at the end: running dry there is no fault */
 } stepgen_piece_t;
 
-/* queue: slots pieces, a power of two, the caller's until the next init. Stops what runs. Context: main loop. */
+/* queue: slots pieces, a power of two, the caller's until the next init. Stops what runs and clears all pins.
+ * Context: main loop. */
 void stepgen_init(stepgen_piece_t *queue, uint32_t slots, uint32_t pulse_ticks);
 /* The slot to fill next, or NULL when the queue is full. Context: main loop. */
 stepgen_piece_t *stepgen_slot(void);

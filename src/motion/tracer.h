@@ -30,10 +30,12 @@ typedef struct tracer {
     int64_t last_step_q16[2]; /* when the motor's last pulse began */
     bool forward[2];          /* its direction then */
     uint64_t pulses[2];
-    uint32_t top_q3; /* the height whose time per lat is known: */
-    uint32_t top_speed_um_s;
-    uint64_t per_lat_q24; /* ticks per lat at that height */
-    uint32_t peak_q3;     /* highest so far */
+    int64_t out_time_q16; /* T(h) at the end of the last line */
+    uint32_t top_q3;      /* the run's limit as a height, and what follows from it: */
+    int64_t top_time_q16; /* T(top) */
+    uint64_t per_lat_q24; /* ticks per lat */
+    int64_t cruise_q16;   /* distance of the longest piece at that speed */
+    int64_t peak_q16;     /* greatest height so far */
 } tracer_t;
 
 /* min_gap_ticks: shortest time between two pulses of a motor; kin stays the caller's. */

@@ -1,0 +1,18 @@
+/* machine.c - the plotter we assume when nothing is said. */
+#include "motion/machine.h"
+
+void machine_default(machine_t *m) {
+    *m = (machine_t){
+        .steps_per_mm_q16 = {80u << 16, 80u << 16},
+        .draw_speed_um_s = 100000,
+        .travel_speed_um_s = 100000,
+        .accel_um_s2 = 1000000,
+        .junction_um = 10,
+        .lift_us = 100000,
+        .lower_us = 100000,
+        .enable_us = 1000,
+        .dir_setup_ns = 1000,
+        .pulse_ns = 2000,
+        .kinematics = MACHINE_CARTESIAN,
+    };
+}

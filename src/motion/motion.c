@@ -1,0 +1,210 @@
+/* motion.c - strokes to runs: when the pen moves, what it waits for, and the way from and to home. */
+#include "motion/motion.h"
+#include "error.h"
+#include "hal/hal.h"
+#include "motion/root.h"
+
+#define PIECES_MAX 64
+#define DELAY_MAX_US 60000000u
+
+/* One tick more than the time asked for would be needed only if it fell between two ticks. */
+static uint32_t ticks_from_ns(uint32_t ns) {
+    return (uint32_t)(((uint64_t)ns * (HAL_TICK_HZ / 1000000) + 999) / 1000);
+}
+
+static bool in_range(uint32_t value, uint32_t lo, uint32_t hi) {
+    return value >= lo && value <= hi;
+}
+
+/* Shortest time between two pulses of a motor: the pulse, then low as long as a pulse or a change of DIR needs, and 1
+ * us for the latency that the step generator tolerates. */
+static uint32_t min_gap_ticks(const machine_t *mc) {
+    uint32_t pulse = ticks_from_ns(mc->pulse_ns), setup = ticks_from_ns(mc->dir_setup_ns);
+    return pulse + (setup > pulse ? setup : pulse) + HAL_TICK_HZ / 1000000;
+}
+
+static bool machine_ok(const machine_t *mc) {
+    if (!in_range(mc->draw_speed_um_s, 1000, 4000000) || !in_range(mc->travel_speed_um_s, 1000, 4000000)) return false;
+    if (!in_range(mc->accel_um_s2, 10000, 100000000) || mc->junction_um > 10000) return false;
+    if (mc->lift_us > DELAY_MAX_US || mc->lower_us > DELAY_MAX_US || mc->enable_us > DELAY_MAX_US) return false;
+    if (!in_range(mc->pulse_ns, 1, 1000000) || mc->dir_setup_ns > 1000000) return false;
+    if (mc->width_um < 0 || mc->height_um < 0) return false;
+    uint32_t speed = mc->draw_speed_um_s > mc->travel_speed_um_s ? mc->draw_speed_um_s : mc->travel_speed_um_s;
+    uint64_t fastest = mc->kinematics == MACHINE_COREXY ? (uint64_t)speed * 1415 / 1000 : speed;
+    for (int i = 0; i < 2; i++) {
+        if (mc->steps_per_mm_q16[i] < 4096) return false;
+        uint64_t steps_s = (fastest * mc->steps_per_mm_q16[i] >> 16) / 1000;
+        if (steps_s * 2 * min_gap_ticks(mc) > HAL_TICK_HZ) return false;
+    }
+    return true;
+}
+
+static int32_t lat_from_um(int32_t um) {
+    return (int32_t)((int64_t)um * LAT_PER_MM / 1000);
+}
+
+static int init(motion_t *m, const machine_t *machine, void *mem, size_t bytes, bool estimate) {
+    *m = (motion_t){.machine = *machine, .estimate = estimate};
+    const machine_t *mc = &m->machine;
+    if (!machine_ok(mc)) return m->error = ERR_MACHINE;
+
+    uint32_t pieces = 0;
+    if (!estimate) {
+        pieces = 8;
+        while (pieces < PIECES_MAX && pieces * 2 * sizeof(stepgen_piece_t) <= bytes / 4) pieces *= 2;
+    }
+    size_t queue_bytes = pieces * sizeof(stepgen_piece_t);
+    if (bytes < queue_bytes + 8 * sizeof(planner_block_t)) return m->error = ERR_FULL;
+    uint32_t blocks = (uint32_t)((bytes - queue_bytes) / sizeof(planner_block_t));
+    stepgen_piece_t *queue = mem;
+    planner_block_t *ring = (planner_block_t *)(void *)((uint8_t *)mem + queue_bytes);
+
+    m->draw_top_q3 = planner_height_q3(mc->draw_speed_um_s, mc->accel_um_s2);
+    m->travel_top_q3 = planner_height_q3(mc->travel_speed_um_s, mc->accel_um_s2);
+    m->reach_lat[0] = lat_from_um(mc->width_um);
+    m->reach_lat[1] = lat_from_um(mc->height_um);
+    uint32_t finest =
+        mc->steps_per_mm_q16[0] > mc->steps_per_mm_q16[1] ? mc->steps_per_mm_q16[0] : mc->steps_per_mm_q16[1];
+    m->near_lat = (int32_t)(((uint64_t)LAT_PER_MM << 14) / finest); /* 2^16 / 4 = 2^14: a quarter step */
+    kinematics_init(&m->kin, mc);
+    planner_init(&m->planner, ring, blocks, mc->junction_um);
+    tracer_init(&m->tracer, &m->kin, mc->accel_um_s2, min_gap_ticks(mc), estimate);
+    if (!estimate) stepgen_init(queue, pieces, ticks_from_ns(mc->pulse_ns));
+    m->stats.memory_bytes = (uint32_t)(queue_bytes + blocks * sizeof(planner_block_t));
+    return 0;
+}
+
+int motion_init(motion_t *m, const machine_t *machine, void *mem, size_t bytes) {
+    return init(m, machine, mem, bytes, false);
+}
+
+int motion_init_estimate(motion_t *m, const machine_t *machine, void *mem, size_t bytes) {
+    return init(m, machine, mem, bytes, true);
+}
+
+static void trace(motion_t *m, bool ending) {
+    planner_move_t mv;
+    while (planner_take(&m->planner, ending, &mv)) tracer_move(&m->tracer, &mv);
+}
+
+static void add_line(motion_t *m, page_point_t to) {
+    if (planner_full(&m->planner)) trace(m, false);
+    uint32_t length_q3 = planner_add(&m->planner, to);
+    if (m->down)
+        m->down_q3 += length_q3;
+    else
+        m->up_q3 += length_q3;
+    m->at = to;
+    m->pending_vertex = false;
+}
+
+static void begin_run(motion_t *m) {
+    uint32_t top_q3 = m->down ? m->draw_top_q3 : m->travel_top_q3;
+    tracer_speed(&m->tracer, m->down ? m->machine.draw_speed_um_s : m->machine.travel_speed_um_s, top_q3);
+    planner_begin(&m->planner, m->at, top_q3);
+}
+
+/* To a stop at the last point that was given. */
+static void end_run(motion_t *m) {
+    if (m->pending_vertex) add_line(m, m->vertex);
+    trace(m, true);
+}
+
+static void lift(motion_t *m) {
+    if (!m->down) return;
+    end_run(m);
+    m->down = false;
+    m->stats.lifts++;
+    tracer_wait(&m->tracer, m->machine.lift_us, HAL_ENABLE);
+}
+
+static void lower(motion_t *m) {
+    m->down = true;
+    m->stats.strokes++;
+    tracer_wait(&m->tracer, m->machine.lower_us, HAL_ENABLE | HAL_PEN);
+    begin_run(m);
+}
+
+/* Pen up, straight to a point. */
+static void travel(motion_t *m, page_point_t to) {
+    lift(m);
+    if (!m->started) {
+        m->started = true;
+        tracer_wait(&m->tracer, m->machine.enable_us, HAL_ENABLE);
+    }
+    begin_run(m);
+    add_line(m, to);
+    end_run(m);
+}
+
+static bool same(page_point_t a, page_point_t b) {
+    return a.x_lat == b.x_lat && a.y_lat == b.y_lat;
+}
+
+static bool inside(const motion_t *m, page_point_t p) {
+    if (p.x_lat <= -PLANNER_REACH_LAT || p.x_lat >= PLANNER_REACH_LAT || p.y_lat <= -PLANNER_REACH_LAT ||
+        p.y_lat >= PLANNER_REACH_LAT)
+        return false;
+    if (m->reach_lat[0] && (p.x_lat < 0 || p.x_lat > m->reach_lat[0])) return false;
+    return !(m->reach_lat[1] && (p.y_lat < 0 || p.y_lat > m->reach_lat[1]));
+}
+
+static int move(void *ctx, page_point_t to) {
+    motion_t *m = ctx;
+    if (m->error) return m->error;
+    if (!inside(m, to)) return m->error = ERR_MACHINE;
+    page_point_t here = m->pending_vertex ? m->vertex : m->at;
+    m->pending_move = !(m->down && same(here, to));
+    m->move_to = to;
+    return 0;
+}
+
+static int draw(void *ctx, page_point_t to) {
+    motion_t *m = ctx;
+    if (m->error) return m->error;
+    if (!inside(m, to)) return m->error = ERR_MACHINE;
+    if (m->pending_move || !m->started) travel(m, m->pending_move ? m->move_to : m->at);
+    m->pending_move = false;
+    if (!m->down) lower(m);
+    m->vertex = to;
+    m->pending_vertex = true;
+    int32_t dx = to.x_lat - m->at.x_lat, dy = to.y_lat - m->at.y_lat;
+    if (dx >= m->near_lat || dx <= -m->near_lat || dy >= m->near_lat || dy <= -m->near_lat) add_line(m, to);
+    return 0;
+}
+
+pen_sink_t motion_pen_sink(motion_t *m) {
+    return (pen_sink_t){.ctx = m, .move = move, .draw = draw};
+}
+
+/* sqrt(2 a h): h in q16 lat is h * 1000 / 2^31 um. */
+static uint32_t speed_um_s(const motion_t *m) {
+    uint64_t peak_um_q8 = (uint64_t)(m->tracer.peak_q16 >> 13) * 1000 >> 10;
+    return root_u64((2 * peak_um_q8 * m->machine.accel_um_s2) >> 8);
+}
+
+int motion_finish(motion_t *m, motion_stats_t *stats) {
+    motion_stats_t *st = &m->stats;
+    if (m->started) {
+        travel(m, (page_point_t){0, 0});
+        tracer_wait(&m->tracer, 0, 0);
+        if (!m->estimate) {
+            stepgen_start();
+            while (!stepgen_idle()) hal_idle();
+            for (int i = 0; i < 2; i++) {
+                st->steps[i] = m->tracer.pulses[i];
+                st->position_steps[i] = stepgen_position(i);
+            }
+            st->starved = stepgen_starved();
+            st->late = stepgen_late();
+        }
+        m->started = false;
+    }
+    st->down_lat = m->down_q3 / PLANNER_Q3_PER_LAT;
+    st->up_lat = m->up_q3 / PLANNER_Q3_PER_LAT;
+    st->ticks = (uint64_t)(m->tracer.clock_q16 >> 16);
+    st->max_speed_um_s = speed_um_s(m);
+    st->forced = m->planner.forced;
+    if (stats) *stats = *st;
+    return m->error;
+}

@@ -1,0 +1,212 @@
+/* stepgen.c - the interrupt's body; see stepgen.h.
+ *
+ * Time in the interrupt is `g.now`, the tick that was armed, not the tick at which the port got round to it: a latency
+ * of less than g.slack moves single edges but never the plan. Times are compared by the sign of their difference, so
+ * the clock may wrap; pieces are shorter than 2^30 ticks.
+ *
+ * Each motor has at most one deadline: the end of its pulse while it is high, else its next step. */
+#include "motion/stepgen.h"
+#include "hal/hal.h"
+
+#define LEAD_TICKS 160 /* from starting to the first piece: longer than it takes to get there */
+#define NEVER INT32_MAX
+
+typedef struct motor {
+    uint64_t next_q32; /* tick of the next pulse */
+    uint64_t interval_q32;
+    int64_t add_q32;
+    uint32_t left; /* pulses of this piece still to begin */
+    uint32_t fall; /* tick at which the pulse ends */
+    bool high;
+    bool turn;     /* DIR must change as soon as the pulse has ended */
+    bool forward;  /* level of DIR, or what it will be after the turn */
+    int32_t moved; /* counted pulses */
+} motor_t;
+
+static struct {
+    stepgen_piece_t *queue;
+    uint32_t mask;
+    uint32_t head; /* next slot to fill: written by the main loop only */
+    uint32_t tail; /* next slot to take: written by the interrupt only */
+    motor_t motor[2];
+    uint32_t now; /* the armed deadline */
+    uint32_t end; /* where the taken piece ends and the next begins */
+    uint32_t pulse, slack;
+    uint8_t pins;  /* pen and enable of the taken piece */
+    bool set_pins; /* to be written at set_at */
+    uint32_t set_at;
+    bool rest;
+    bool running; /* written by the main loop only while it is false */
+    uint32_t starved, late;
+} g;
+
+static const uint8_t STEP_PIN[2] = {HAL_X_STEP, HAL_Y_STEP};
+static const uint8_t DIR_PIN[2] = {HAL_X_DIR, HAL_Y_DIR};
+
+typedef struct edges {
+    uint32_t mask, value;
+} edges_t;
+
+static inline void write_dir(edges_t *e, int m) {
+    e->mask |= DIR_PIN[m];
+    if (g.motor[m].forward) e->value |= DIR_PIN[m];
+}
+
+/* Begins or ends the motor's pulse if that is due. */
+static inline void run_motor(edges_t *e, int m, uint32_t actual) {
+    motor_t *a = &g.motor[m];
+    if (a->high) {
+        if (hal_before(g.now, a->fall)) return;
+        a->high = false;
+        e->mask |= STEP_PIN[m];
+        if (a->turn) {
+            a->turn = false;
+            write_dir(e, m);
+        }
+    } else if (a->left && !hal_before(g.now, (uint32_t)(a->next_q32 >> 32))) {
+        a->high = true;
+        a->fall = actual + g.pulse;
+        a->left--;
+        a->next_q32 += a->interval_q32;
+        a->interval_q32 += (uint64_t)a->add_q32;
+        a->moved += a->forward ? 1 : -1;
+        e->mask |= STEP_PIN[m];
+        e->value |= STEP_PIN[m];
+    }
+}
+
+static inline void take_axis(edges_t *e, int m, const stepgen_axis_piece_t *p) {
+    motor_t *a = &g.motor[m];
+    if (p->count == 0) return;
+    a->left = p->count;
+    a->next_q32 = ((uint64_t)g.end << 32) + p->first_q32;
+    a->interval_q32 = p->interval_q32;
+    a->add_q32 = p->add_q32;
+    if (p->forward != a->forward) {
+        a->forward = p->forward;
+        if (a->high)
+            a->turn = true;
+        else
+            write_dir(e, m);
+    }
+}
+
+/* Takes the next piece, if there is one. */
+static bool take(edges_t *e) {
+    uint32_t tail = g.tail;
+    if (tail == __atomic_load_n(&g.head, __ATOMIC_ACQUIRE)) return false;
+    const stepgen_piece_t *p = &g.queue[tail & g.mask];
+    if (p->set_pins) {
+        g.set_pins = true;
+        g.set_at = g.end;
+        g.pins = p->pins;
+    }
+    take_axis(e, 0, &p->axis[0]);
+    take_axis(e, 1, &p->axis[1]);
+    g.rest = p->rest;
+    g.end += p->length;
+    __atomic_store_n(&g.tail, tail + 1, __ATOMIC_RELEASE);
+    return true;
+}
+
+static inline bool piece_done(void) {
+    return !g.motor[0].left && !g.motor[1].left && !g.set_pins;
+}
+
+static inline int32_t earlier(int32_t best, uint32_t at) {
+    int32_t in = (int32_t)(at - g.now);
+    return in < best ? in : best;
+}
+
+static inline int32_t motor_deadline(int32_t best, const motor_t *a) {
+    if (a->high) return earlier(best, a->fall);
+    return a->left ? earlier(best, (uint32_t)(a->next_q32 >> 32)) : best;
+}
+
+static void slip(uint32_t late) {
+    for (int m = 0; m < 2; m++) {
+        g.motor[m].next_q32 += (uint64_t)late << 32;
+        g.motor[m].fall += late;
+    }
+    g.set_at += late;
+    g.end += late;
+    g.now += late;
+    g.late++;
+}
+
+void stepgen_isr(void) {
+    edges_t e = {0, 0};
+    uint32_t actual = hal_now();
+    if ((int32_t)(actual - g.now) > (int32_t)g.slack) slip(actual - g.now);
+
+    run_motor(&e, 0, actual);
+    run_motor(&e, 1, actual);
+    if (g.set_pins && !hal_before(g.now, g.set_at)) {
+        g.set_pins = false;
+        e.mask |= HAL_PEN | HAL_ENABLE;
+        e.value |= g.pins;
+    }
+    /* A piece is taken as soon as its predecessor has nothing more to do, to have its DIR in time. */
+    bool more = true;
+    while (piece_done() && more) more = take(&e);
+    if (e.mask) hal_pins_write(e.mask, e.value);
+
+    int32_t in = motor_deadline(motor_deadline(NEVER, &g.motor[0]), &g.motor[1]);
+    if (g.set_pins) in = earlier(in, g.set_at);
+    if (in == NEVER) {
+        if (!hal_before(g.now, g.end)) { /* ran dry */
+            if (!g.rest || (g.pins & HAL_PEN)) g.starved++;
+            __atomic_store_n(&g.running, false, __ATOMIC_RELEASE);
+            return;
+        }
+        in = earlier(in, g.end); /* look again when the piece is over */
+    }
+    if (in < 0) in = 0;
+    g.now += (uint32_t)in;
+    hal_timer_arm(g.now);
+}
+
+void stepgen_init(stepgen_piece_t *queue, uint32_t slots, uint32_t pulse_ticks) {
+    hal_timer_cancel();
+    hal_pins_write(HAL_X_STEP | HAL_X_DIR | HAL_Y_STEP | HAL_Y_DIR | HAL_PEN | HAL_ENABLE, 0);
+    g.queue = queue;
+    g.mask = slots - 1;
+    g.head = g.tail = 0;
+    g.pulse = pulse_ticks;
+    g.slack = pulse_ticks / 2;
+    g.set_pins = g.running = false;
+    g.pins = 0;
+    g.rest = true;
+    g.starved = g.late = 0;
+    for (int m = 0; m < 2; m++) g.motor[m] = (motor_t){0};
+}
+
+stepgen_piece_t *stepgen_slot(void) {
+    uint32_t head = g.head;
+    if (head - __atomic_load_n(&g.tail, __ATOMIC_ACQUIRE) > g.mask) return 0;
+    return &g.queue[head & g.mask];
+}
+
+void stepgen_push(void) {
+    __atomic_store_n(&g.head, g.head + 1, __ATOMIC_RELEASE);
+}
+
+void stepgen_start(void) {
+    if (__atomic_load_n(&g.running, __ATOMIC_ACQUIRE) || g.head == g.tail) return;
+    g.running = true;
+    g.now = g.end = hal_now() + LEAD_TICKS;
+    hal_timer_arm(g.now);
+}
+
+bool stepgen_idle(void) {
+    return !__atomic_load_n(&g.running, __ATOMIC_ACQUIRE) && g.head == g.tail;
+}
+int32_t stepgen_position(int motor) {
+    return g.motor[motor].moved;
+}
+uint32_t stepgen_starved(void) {
+    return g.starved;
+}
+uint32_t stepgen_late(void) {
+    return g.late;
+}
