@@ -94,7 +94,8 @@ $(BUILDDIR)/tests/%: $(BUILDDIR)/obj/tests/%.o $(BUILDDIR)/liboracle.a $(BUILDDI
 	$(Q)$(CC) $(LDFLAGS) $^ $(BUILDDIR)/libcore.a $(HOST_LIBS) $(TEST_LIBS) -o $@
 
 # One test program by hand: make run-unit/test_num
-run-%: $(BUILDDIR)/tests/%
+.PHONY: $(TESTS_SRC:tests/%.c=run-%)
+$(TESTS_SRC:tests/%.c=run-%): run-%: $(BUILDDIR)/tests/%
 	$<
 
 RUN_TESTS = RIDGELINE=$(RIDGELINE) BUILDDIR=$(BUILDDIR) JOBS=$(JOBS) sh tests/run.sh

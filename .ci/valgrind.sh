@@ -15,6 +15,6 @@ clean() {
 }
 for t in "$@"; do clean "$t"; done
 out=$(mktemp -d)
-for scene in tests/scenes/demo-*.gp; do clean "$ridgeline" plot "$scene" -o "$out/a.seg" -o "$out/a.vcd"; done
+for scene in tests/scenes/*.gp; do clean "$ridgeline" plot "$scene" -o "$out/a.seg" -o "$out/a.vcd"; done
 rm -rf "$out"
 exit $failed

@@ -2,8 +2,8 @@
  *
  * Millimetres, the paper's size as width, height and viewBox, the title as <title>, one <path> a stroke in drawing
  * order, so that plotter software keeps that order. Lines are 0.3 mm wide, black, with round caps and joins.
- * Coordinates have 3 decimals (0.5 um). Written by hand (29 ns a segment) rather than by Cairo's SVG surface (694 ns, and
- * 1.6 times the bytes). */
+ * Coordinates have 3 decimals (0.5 um). Written by hand (29 ns a segment) rather than by Cairo's SVG surface (694 ns,
+ * and 1.6 times the bytes). */
 #ifndef SVG_H
 #define SVG_H
 

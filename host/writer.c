@@ -8,7 +8,7 @@
 #include "error.h"
 #include "host/gcode.h"
 #include "host/hpgl.h"
-#include "host/picture.h"
+#include "host/image.h"
 #include "host/seg.h"
 #include "host/svg.h"
 
@@ -19,8 +19,8 @@ typedef struct writer {
 } writer_t;
 
 static const writer_t WRITERS[] = {
-    {".svg", svg_write, NULL},     {".png", picture_write_png, NULL}, {".pdf", picture_write_pdf, NULL},
-    {".seg", seg_write, NULL},     {".hpgl", hpgl_write, NULL},       {".plt", hpgl_write, NULL},
+    {".svg", svg_write, NULL},     {".png", image_write_png, NULL}, {".pdf", image_write_pdf, NULL},
+    {".seg", seg_write, NULL},     {".hpgl", hpgl_write, NULL},     {".plt", hpgl_write, NULL},
     {".gcode", NULL, gcode_write},
 };
 

@@ -1,6 +1,6 @@
-/* picture.c - strokes are painted in pieces of at most CHUNK points: Cairo's cost to stroke a path at once grows faster
+/* image.c - strokes are painted in pieces of at most CHUNK points: Cairo's cost to stroke a path at once grows faster
  * than its length, and black over black shows no seam. */
-#include "host/picture.h"
+#include "host/image.h"
 
 #include <cairo-pdf.h>
 #include <cairo.h>
@@ -43,7 +43,7 @@ static void paint(cairo_t *c, const drawing_t *d, double scale) {
     }
 }
 
-int picture_write_png(const drawing_t *d, const char *path) {
+int image_write_png(const drawing_t *d, const char *path) {
     int width = (int)lround(d->width_um / 1000.0 * DOTS_PER_MM);
     int height = (int)lround(d->height_um / 1000.0 * DOTS_PER_MM);
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
@@ -59,7 +59,7 @@ int picture_write_png(const drawing_t *d, const char *path) {
     return status == CAIRO_STATUS_SUCCESS ? 0 : ERR_FILE;
 }
 
-int picture_write_pdf(const drawing_t *d, const char *path) {
+int image_write_pdf(const drawing_t *d, const char *path) {
     cairo_surface_t *surface =
         cairo_pdf_surface_create(path, d->width_um / 1000.0 * POINTS_PER_MM, d->height_um / 1000.0 * POINTS_PER_MM);
     if (d->title[0]) cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, d->title);

@@ -1,14 +1,14 @@
-/* picture.h - the drawing through Cairo: .png and .pdf.
+/* image.h - the drawing through Cairo: .png and .pdf.
  *
  * Black lines 0.3 mm wide with round caps on white paper. PNG has 200 dots to the inch; PDF has the
  * paper's size and the title in its metadata. */
-#ifndef PICTURE_H
-#define PICTURE_H
+#ifndef IMAGE_H
+#define IMAGE_H
 
 #include "host/drawing.h"
 
 /* 0, ERR_FILE, or ERR_VALUE for a paper too large for a bitmap. */
-int picture_write_png(const drawing_t *d, const char *path);
-int picture_write_pdf(const drawing_t *d, const char *path);
+int image_write_png(const drawing_t *d, const char *path);
+int image_write_pdf(const drawing_t *d, const char *path);
 
 #endif

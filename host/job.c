@@ -1,0 +1,157 @@
+/* job.c - nothing is written before the whole picture is known to be right: a scene that fails leaves no file behind.
+ */
+#include "host/job.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "error.h"
+#include "host/plotter.h"
+#include "host/writer.h"
+
+void job_init(job_t *job) {
+    memset(job, 0, sizeof *job);
+    job->name = "";
+    drawing_init(&job->drawing);
+}
+
+void job_free(job_t *job) {
+    drawing_free(&job->drawing);
+    free(job->lent);
+    job->lent = NULL;
+}
+
+/* What the hooks need to time the stages: each runs from its own first call to the next stage's. */
+typedef struct watch {
+    job_t *job;
+    double begun[PICTURE_DONE + 1];
+} watch_t;
+
+static void on_progress(void *ctx, enum picture_stage stage, int32_t done, int32_t of) {
+    static const char *const WHAT[] = {"evaluating", "hiding lines", "ordering strokes", ""};
+    watch_t *w = ctx;
+    if (done == 0) w->begun[stage] = progress_now();
+    progress_update(&w->job->progress, WHAT[stage], done, of);
+}
+
+static void on_begin(void *ctx, const camera_t *cam) {
+    watch_t *w = ctx;
+    drawing_set_camera(&w->job->drawing, cam);
+}
+
+static bool lend(job_t *job, size_t bytes) {
+    if (bytes <= job->lent_bytes) return true;
+    free(job->lent);
+    job->lent = malloc(bytes);
+    job->lent_bytes = job->lent ? bytes : 0;
+    return job->lent != NULL;
+}
+
+/* Draws into memory, with more of it until it is enough. */
+static int draw(job_t *job, const plot_t *plot, picture_t *picture, watch_t *w) {
+    picture_hooks_t hooks = {.ctx = w, .progress = on_progress, .begin = on_begin};
+    pen_sink_t pen = drawing_sink(&job->drawing);
+    size_t bytes = picture_bytes(plot);
+    for (;;) {
+        if (!lend(job, bytes)) {
+            fprintf(stderr, "ridgeline: no memory for this drawing (%zu MB)\n", bytes >> 20);
+            job->trouble = ERR_FULL;
+            return ERR_FULL;
+        }
+        drawing_clear(&job->drawing);
+        memset(w->begun, 0, sizeof w->begun);
+        int err = picture_draw(picture, plot, job->lent, job->lent_bytes, &pen, &hooks);
+        if (err != ERR_FULL || job->lent_bytes >= JOB_LENT_MAX) return err;
+        bytes = job->lent_bytes * 2 < JOB_LENT_MAX ? job->lent_bytes * 2 : JOB_LENT_MAX;
+    }
+}
+
+/* Stage times from the moments the stages began; a stage that was left out took none. */
+static void read_watch(const watch_t *w, report_t *r) {
+    double *into[PICTURE_DONE] = {&r->measure_s, &r->hide_s, &r->order_s}, end = w->begun[PICTURE_DONE];
+    for (int s = PICTURE_DONE - 1; s >= 0; s--)
+        if (w->begun[s] > 0) {
+            *into[s] = end - w->begun[s];
+            end = w->begun[s];
+        }
+}
+
+static int write_outputs(job_t *job, const machine_t *machine, char *const *name) {
+    for (int i = 0; i < job->outputs; i++) {
+        progress_update(&job->progress, "writing", i, job->outputs);
+        errno = 0;
+        int err = writer_write(&job->drawing, machine, name[i]);
+        if (!err) continue;
+        progress_wipe(&job->progress);
+        if (err == ERR_FILE && errno)
+            fprintf(stderr, "ridgeline: %s: %s\n", name[i], strerror(errno));
+        else
+            fprintf(stderr, "ridgeline: %s: %s\n", name[i], error_text(err));
+        job->trouble = err;
+        return err;
+    }
+    return 0;
+}
+
+/* The page's file names, NULL at the end. */
+static bool make_names(const job_t *job, int page, char **name) {
+    for (int i = 0; i < job->outputs; i++) {
+        char path[PATH_MAX];
+        if (!writer_page_name(path, sizeof path, job->output[i], job->overwrite ? 1 : page)) return false;
+        name[i] = strdup(path);
+        if (!name[i]) return false;
+    }
+    return true;
+}
+
+static int draw_page(job_t *job, const plot_t *plot, char **name) {
+    const settings_t *settings = plot->settings;
+    static picture_t picture; /* large, and there is one page at a time */
+    watch_t watch = {.job = job};
+    drawing_t *d = &job->drawing;
+    d->width_um = settings->paper.width_um;
+    d->height_um = settings->paper.height_um;
+    drawing_set_title(d, settings->title);
+    int err = draw(job, plot, &picture, &watch);
+    if (err) return err;
+
+    job->pages++;
+    if (!make_names(job, job->pages, name)) {
+        fprintf(stderr, "ridgeline: page %d: the name of an output is too long\n", job->pages);
+        return job->trouble = ERR_FILE;
+    }
+    report_t r = {.page = job->pages, .name = job->name, .title = d->title, .file = (const char *const *)name};
+    double start = progress_now();
+    err = write_outputs(job, &settings->machine, name);
+    if (err) return err;
+    r.write_s = progress_now() - start;
+    if (job->announce)
+        for (int i = 0; i < job->outputs; i++) fprintf(job->announce, "%s\n", name[i]);
+
+    if (!job->table && !job->stats) return 0;
+    read_watch(&watch, &r);
+    r.picture = picture.stats;
+    r.points = d->points;
+    r.strokes = d->strokes;
+    r.length = drawing_measure(d);
+    r.lent_bytes = job->lent_bytes;
+    r.machine_error = plotter_estimate(d, &settings->machine, &r.motion);
+    if (job->stats) report_json_page(job->stats, &r);
+    progress_wipe(&job->progress);
+    if (job->table) {
+        if (job->pages == 1) report_table_head(job->table);
+        report_table_row(job->table, &r);
+    }
+    return 0;
+}
+
+int job_draw(job_t *job, const plot_t *plot) {
+    char *name[JOB_OUTPUTS_MAX + 1] = {0};
+    progress_begin(&job->progress);
+    int err = draw_page(job, plot, name);
+    progress_wipe(&job->progress);
+    for (int i = 0; i < job->outputs; i++) free(name[i]);
+    return err;
+}

@@ -1,0 +1,42 @@
+/* job.h - from a plot command to files: draws the picture into memory, then writes every output, then reports.
+ *
+ * The picture's working memory is lent from the heap: as much as picture_bytes asks for, and when that was too little,
+ * twice that, until JOB_LENT_MAX. */
+#ifndef JOB_H
+#define JOB_H
+
+#include <stdio.h>
+
+#include "host/drawing.h"
+#include "host/progress.h"
+#include "host/report.h"
+
+#define JOB_LENT_MAX ((size_t)4 << 30)
+#define JOB_OUTPUTS_MAX 16
+
+typedef struct job {
+    /* The caller's, before the first page: */
+    const char *name; /* of the scene, in the table */
+    const char *output[JOB_OUTPUTS_MAX];
+    int outputs;
+    bool overwrite; /* every page into the same files instead of a.svg, a-2.svg, ... */
+    FILE *table;    /* rows go here, or NULL */
+    FILE *stats;    /* JSON goes here, or NULL: report_json_begin has been called */
+    FILE *announce; /* says which files were written, or NULL */
+    /* Its own: */
+    int pages;   /* drawn so far */
+    int trouble; /* first error that is not the input's: a file that cannot be written, no memory */
+    progress_t progress;
+    drawing_t drawing;
+    void *lent;
+    size_t lent_bytes;
+} job_t;
+
+/* Clears its own part; the caller fills in the rest. */
+void job_init(job_t *job);
+void job_free(job_t *job);
+/* Draws one page. Returns 0 or a negative error; what concerns files and memory has been said on stderr, the rest is
+ * for the caller to say. */
+int job_draw(job_t *job, const plot_t *plot);
+
+#endif

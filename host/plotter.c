@@ -1,0 +1,51 @@
+/* plotter.c - motion/ on sim/, fed from memory. */
+#include "host/plotter.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "error.h"
+#include "sim/sim.h"
+#include "sim/vcd.h"
+
+static uint64_t memory[(MOTION_BYTES_HOST + 7) / 8];
+
+/* Feeds every stroke and brings the pen home, also after an error. */
+static int play(const drawing_t *d, motion_t *motion, motion_stats_t *stats) {
+    pen_sink_t pen = motion_pen_sink(motion);
+    int err = 0;
+    for (size_t s = 0; s < d->strokes && !err; s++) {
+        size_t n;
+        const page_point_t *p = drawing_stroke(d, s, &n);
+        err = pen.move(pen.ctx, p[0]);
+        for (size_t i = 1; i < n && !err; i++) err = pen.draw(pen.ctx, p[i]);
+    }
+    int finish = motion_finish(motion, stats);
+    return err ? err : finish;
+}
+
+int plotter_estimate(const drawing_t *d, const machine_t *machine, motion_stats_t *stats) {
+    motion_t motion;
+    int err = motion_init_estimate(&motion, machine, memory, sizeof memory);
+    return err ? err : play(d, &motion, stats);
+}
+
+int plotter_write_vcd(const drawing_t *d, const machine_t *machine, const char *path) {
+    static vcd_t vcd;
+    motion_t motion;
+    FILE *f = fopen(path, "wb");
+    if (!f) return ERR_FILE;
+    setvbuf(f, NULL, _IONBF, 0); /* vcd.h hands over blocks */
+    sim_reset();
+    int err = motion_init(&motion, machine, memory, sizeof memory);
+    if (!err) {
+        vcd_begin(&vcd, vcd_write_file, f, machine, d->title[0] ? d->title : NULL, sim_pins());
+        sim_record(vcd_record, &vcd);
+        err = play(d, &motion, NULL);
+        int written = vcd_end(&vcd, sim_now());
+        sim_record(NULL, NULL);
+        if (!err) err = written;
+    }
+    if (fclose(f) != 0 && !err) err = ERR_FILE;
+    return err;
+}

@@ -1,0 +1,46 @@
+/* prompt.c - libedit through its readline interface. */
+#include "host/prompt.h"
+
+#include <editline/readline.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "host/script.h"
+
+static bool history_path(char *path, size_t room) {
+    const char *home = getenv("HOME");
+    if (!home || !home[0]) return false;
+    int n = snprintf(path, room, "%s/.ridgeline_history", home);
+    return n > 0 && (size_t)n < room;
+}
+
+/* Blank lines and repetitions are not worth remembering; rows of inline data neither. */
+static void remember(const char *line, char *last, size_t room) {
+    if (!line[strspn(line, " \t")] || script_state() == SESSION_DATA || strcmp(line, last) == 0) return;
+    add_history(line);
+    snprintf(last, room, "%s", line);
+}
+
+void prompt_run(void) {
+    char path[PATH_MAX], last[1024] = "";
+    bool keep = history_path(path, sizeof path);
+    using_history();
+    stifle_history(PROMPT_HISTORY);
+    if (keep) read_history(path);
+    puts("Ridgeline: type `splot exp(-x**2-y**2)`, `help` or `quit`.");
+    script_source(NULL);
+    while (script_state() != SESSION_QUIT) {
+        char *line = readline(script_state() == SESSION_READY ? "ridgeline> " : "> ");
+        if (!line) {
+            putchar('\n');
+            break;
+        }
+        remember(line, last, sizeof last);
+        script_line(line);
+        free(line);
+        /* Every time, so that nothing is lost when the window is closed. */
+        if (keep) write_history(path);
+    }
+}

@@ -1,0 +1,157 @@
+/* script.c - the session's port, in stdio. */
+#include "host/script.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "error.h"
+
+enum { FILES_MAX = 16 };
+
+/* Address space for data, of which only the pages that are written to become memory. */
+#define DATA_BYTES_MAX ((size_t)8 << 30)
+#define DATA_BYTES_MIN ((size_t)1 << 20)
+
+static struct {
+    session_t session;
+    job_t *job;
+    bool waits;
+    char folder[PATH_MAX]; /* of the scene, with its slash, or empty */
+    FILE *file[FILES_MAX];
+} script;
+
+static void port_print(void *ctx, const char *text) {
+    (void)ctx;
+    fputs(text, stdout);
+    fflush(stdout);
+}
+
+static void port_warn(void *ctx, const char *text) {
+    (void)ctx;
+    progress_wipe(&script.job->progress);
+    fputs(text, stderr);
+}
+
+static int port_open(void *ctx, const char *name) {
+    (void)ctx;
+    int handle = 0;
+    while (handle < FILES_MAX && script.file[handle]) handle++;
+    if (handle == FILES_MAX) return ERR_FULL;
+    FILE *f = fopen(name, "rb");
+    if (!f && name[0] != '/' && script.folder[0]) {
+        char path[PATH_MAX];
+        int n = snprintf(path, sizeof path, "%s%s", script.folder, name);
+        if (n > 0 && (size_t)n < sizeof path) f = fopen(path, "rb");
+    }
+    if (!f) return ERR_FILE;
+    setvbuf(f, NULL, _IOFBF, 1 << 16);
+    script.file[handle] = f;
+    return handle;
+}
+
+static int port_read(void *ctx, int handle, char *buf, int size) {
+    (void)ctx;
+    FILE *f = script.file[handle];
+    size_t n = fread(buf, 1, (size_t)size, f);
+    return n == 0 && ferror(f) ? ERR_FILE : (int)n;
+}
+
+static void port_close(void *ctx, int handle) {
+    (void)ctx;
+    fclose(script.file[handle]);
+    script.file[handle] = NULL;
+}
+
+static int port_pause(void *ctx, const char *prompt, int32_t ms) {
+    (void)ctx;
+    if (!script.waits) return 0;
+    if (prompt[0]) {
+        fprintf(stderr, "%s", prompt);
+        if (ms >= 0) fputc('\n', stderr);
+        fflush(stderr);
+    }
+    if (ms >= 0) {
+        struct timespec t = {.tv_sec = ms / 1000, .tv_nsec = ms % 1000 * 1000000L};
+        nanosleep(&t, NULL);
+        return 0;
+    }
+    int c;
+    while ((c = getchar()) != EOF && c != '\n') continue;
+    return 0;
+}
+
+static int port_plot(void *ctx, const plot_t *plot) {
+    (void)ctx;
+    return job_draw(script.job, plot);
+}
+
+/* The largest area that the system lets us reserve; nothing when it is strict about memory. */
+static void *reserve(size_t *bytes) {
+    for (*bytes = sizeof(void *) < 8 ? DATA_BYTES_MAX >> 4 : DATA_BYTES_MAX; *bytes >= DATA_BYTES_MIN; *bytes /= 2) {
+        void *p = mmap(NULL, *bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+        if (p != MAP_FAILED) return p;
+    }
+    *bytes = 0;
+    return NULL;
+}
+
+void script_begin(job_t *job, bool waits) {
+    static const session_port_t PORT = {
+        .print = port_print,
+        .warn = port_warn,
+        .open = port_open,
+        .read = port_read,
+        .close = port_close,
+        .pause = port_pause,
+        .plot = port_plot,
+    };
+    script.job = job;
+    script.waits = waits;
+    size_t bytes;
+    void *data = reserve(&bytes);
+    session_init(&script.session, &PORT, data, bytes);
+}
+
+void script_source(const char *name) {
+    session_source(&script.session, name);
+}
+int script_line(const char *text) {
+    return session_line(&script.session, text);
+}
+enum session_state script_state(void) {
+    return session_state(&script.session);
+}
+
+static void remember_folder(const char *name) {
+    const char *slash = strrchr(name, '/');
+    size_t n = slash ? (size_t)(slash - name) + 1 : 0;
+    if (n >= sizeof script.folder) n = 0;
+    memcpy(script.folder, name, n);
+    script.folder[n] = 0;
+}
+
+int script_file(FILE *f, const char *name) {
+    remember_folder(name);
+    script_source(name);
+    char *line = NULL;
+    size_t room = 0;
+    ssize_t n;
+    int err = 0;
+    while (!err && script_state() != SESSION_QUIT && (n = getline(&line, &room, f)) >= 0) {
+        while (n > 0 && (line[n - 1] == '\n' || line[n - 1] == '\r')) line[--n] = 0;
+        err = script_line(line);
+    }
+    free(line);
+    if (!err && script_state() != SESSION_QUIT) err = session_end(&script.session);
+    return err;
+}
+
+int script_status(int err) {
+    if (!err) return SCRIPT_DONE;
+    if (script.job->trouble) return SCRIPT_TROUBLE;
+    return err == ERR_FULL || err == ERR_MACHINE || err == ERR_STOPPED ? SCRIPT_TROUBLE : SCRIPT_BAD_INPUT;
+}
