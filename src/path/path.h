@@ -24,7 +24,6 @@ typedef struct path_config {
     int32_t lines;     /* lines that grow at the same time: the grid's columns, or its profiles. Fewer is allowed, see
                           join.h; 0 means 1 */
     int32_t effort;    /* improvement operations per run (see order.h); 0 leaves the greedy order */
-    bool in_order;     /* true: strokes in the order they come, only joined */
     page_point_t home; /* where the pen starts and where it goes after the last stroke */
 } path_config_t;
 
@@ -51,7 +50,7 @@ typedef struct path {
     pool_t pool;
     simplify_t simplify;
     page_point_t at, arrival_at; /* where the pen is, and would be without ordering */
-    page_point_t drawn_at;       /* last point given to the pen */
+    int32_t kept;                /* runs in the pool that have been through a flush */
     path_stats_t stats;
 } path_t;
 

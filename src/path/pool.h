@@ -1,8 +1,9 @@
 /* pool.h - the memory shared by the stages that see many runs at once.
  *
- * An end is 2 * run + side (side 0: from, 1: to). `mate` links ends: an end >= 0 is the end it continues into
- * without lifting the pen; a free end holds ~(the free end at the other end of its stroke). The stages run
- * one after another, so their work arrays share one piece of memory. */
+ * An end is 2 * run + side (side 0: from, 1: to). `mate` links ends: an end >= 0 is the one it continues into without
+ * lifting the pen; a free end holds ~(the free end at the far side of its stroke). So a stroke is known by either of
+ * its free ends, and drawn backwards by starting from the other. The stages run one after another, and their work
+ * arrays share one piece of memory. */
 #ifndef POOL_H
 #define POOL_H
 
@@ -10,15 +11,29 @@
 #include "view/page.h"
 
 #define POOL_RUNS_MIN 4
+#define POOL_RUNS_MAX ((int32_t)1 << 28)
 #define POOL_WORK_PER_RUN 32
-#define POOL_BYTES_PER_RUN (20 + 8 + POOL_WORK_PER_RUN)
-#define POOL_BYTES(runs) ((size_t)(runs)*POOL_BYTES_PER_RUN)
+#define POOL_BYTES_PER_RUN (sizeof(run_t) + 2 * sizeof(int32_t) + POOL_WORK_PER_RUN)
+#define POOL_BYTES(runs) (((size_t)(runs) + 1) * POOL_BYTES_PER_RUN) /* one more: the pen's place is in the tour, too  \
+                                                                      */
 
 typedef struct pool {
     int32_t n, cap;
-    run_t *run;    /* cap */
-    int32_t *mate; /* 2 * cap */
-    void *work;    /* POOL_WORK_PER_RUN * cap bytes */
+    run_t *run;     /* cap */
+    int32_t *mate;  /* 2 * cap */
+    uint32_t *work; /* POOL_WORK_PER_RUN * (cap + 1) bytes, aligned for uint32_t */
 } pool_t;
+
+static inline int32_t pool_other_end(int32_t e) {
+    return e ^ 1;
+}
+static inline int64_t pool_end_t(const pool_t *p, int32_t e) {
+    return run_t_of(&p->run[e >> 1], e & 1);
+}
+
+static inline bool pool_end_point(const pool_t *p, const ink_map_t *map, int32_t e, page_point_t *out) {
+    const run_t *r = &p->run[e >> 1];
+    return map->point(map->ctx, run_family(r), run_surface(r), r->line, run_t_of(r, e & 1), out);
+}
 
 #endif

@@ -7,7 +7,8 @@
  * offsets: they need no square root, and an offset parallel to an axis is never shorter than the perpendicular).
  * So a stroke that doubles back keeps its turning points. Equal successive vertices are merged.
  * Worst error: tol_lat, exactly (proved by tests/unit/test_simplify.c). Cost: at most six 32x32->64 products a vertex.
- * Bit budget: |coordinate| < 2^30 lat (32 m), differences < 2^31, cross products < 2^63. */
+ * Bit budget: |coordinate| < 2^29 lat (16 m), so differences and their offsets stay below 2^31 and cross products below
+ * 2^63. */
 #ifndef SIMPLIFY_H
 #define SIMPLIFY_H
 

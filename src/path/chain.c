@@ -1,0 +1,150 @@
+/* chain.c - clusters of ends on a hash over page cells. See chain.h. */
+#include "path/chain.h"
+#include "path/dist.h"
+
+#define CLUSTER_MAX 8 /* ends that are paired together: a grid node has four */
+#define SCAN_MAX                                                                                                       \
+    256             /* ends looked at in one bucket; more only if thousands crowd into one cell, and then any will do */
+#define CELL_BITS 4 /* a cell is at least 2^4 tolerances wide, so most queries see a single cell */
+#define STRAIGHT (1 << 29)
+#define UNIT_BITS 13 /* of direction vectors */
+_Static_assert(POOL_WORK_PER_RUN >= 2 * sizeof(page_point_t) + 3 * sizeof(int32_t), "points, next, head");
+
+static uint32_t bucket(const chain_t *c, int32_t cx, int32_t cy) {
+    /* neighbours in x stay neighbours in memory: runs arrive in an order that has locality, and caches like it */
+    return ((uint32_t)cx + (uint32_t)cy * 0x9E3779B1u) & c->mask;
+}
+
+void chain_enter(chain_t *c, int32_t e, page_point_t p) {
+    uint32_t b = bucket(c, p.x_lat >> c->shift, p.y_lat >> c->shift);
+    c->point[e] = p;
+    c->next[e] = c->head[b];
+    c->head[b] = e;
+}
+
+int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near_lat) {
+    int32_t lost = 0, ends = 2 * (pool->cap + 1);
+    *c = (chain_t){.pool = pool, .map = map, .near_lat = near_lat};
+    c->point = (page_point_t *)(void *)pool->work;
+    c->next = (int32_t *)(void *)(c->point + ends);
+    c->head = c->next + ends;
+    while (near_lat << CELL_BITS > 1 << c->shift) c->shift++;
+    while ((int32_t)(2 * c->mask + 2) <= pool->n) c->mask = 2 * c->mask + 1;
+    for (uint32_t b = 0; b <= c->mask; b++) c->head[b] = -1;
+    for (int32_t r = 0; r < pool->n; r++) {
+        page_point_t from, to;
+        while (r < pool->n && !(pool_end_point(pool, map, 2 * r, &from) && pool_end_point(pool, map, 2 * r + 1, &to))) {
+            pool->run[r] = pool->run[--pool->n];
+            lost++;
+        }
+        if (r == pool->n) break;
+        pool->mate[2 * r] = pool->mate[2 * r + 1] = -1;
+        pool->run[r].to_hi &= ~RUN_SEEN;
+        chain_enter(c, 2 * r, from);
+        chain_enter(c, 2 * r + 1, to);
+    }
+    return lost;
+}
+
+static bool is_near(const chain_t *c, page_point_t a, page_point_t b) {
+    int64_t dx = (int64_t)a.x_lat - b.x_lat, dy = (int64_t)a.y_lat - b.y_lat;
+    if (dx > c->near_lat || dx < -c->near_lat || dy > c->near_lat || dy < -c->near_lat) return false;
+    return dx * dx + dy * dy <= (int64_t)c->near_lat * c->near_lat;
+}
+
+int chain_free_ends(const chain_t *c, page_point_t p, int32_t *out, int max) {
+    int32_t x0 = (p.x_lat - c->near_lat) >> c->shift, x1 = (p.x_lat + c->near_lat) >> c->shift;
+    int32_t y0 = (p.y_lat - c->near_lat) >> c->shift, y1 = (p.y_lat + c->near_lat) >> c->shift;
+    int n = 0;
+    for (int32_t y = y0; y <= y1; y++) {
+        for (int32_t x = x0; x <= x1; x++) {
+            int left = SCAN_MAX;
+            for (int32_t e = c->head[bucket(c, x, y)]; e >= 0 && left > 0; e = c->next[e], left--) {
+                bool here = c->point[e].x_lat >> c->shift == x && c->point[e].y_lat >> c->shift == y;
+                if (here && c->pool->mate[e] < 0 && is_near(c, c->point[e], p) && n < max) out[n++] = e;
+            }
+        }
+    }
+    return n;
+}
+
+bool chain_ahead(const chain_t *c, int32_t e, page_point_t *out) {
+    const run_t *r = &c->pool->run[e >> 1];
+    int64_t t = run_t_of(r, e & 1), end = run_t_of(r, 1 - (e & 1));
+    int64_t next = e & 1 ? ((t - 1) >> 30) * INK_ONE : ((t >> 30) + 1) * INK_ONE;
+    if (e & 1 ? next < end : next > end) next = end;
+    return c->map->point(c->map->ctx, run_family(r), run_surface(r), r->line, next, out);
+}
+
+/* Unit vector (q13) from an end into its run. */
+static void direction(const chain_t *c, int32_t e, int32_t v[2]) {
+    page_point_t p;
+    v[0] = v[1] = 0;
+    if (!chain_ahead(c, e, &p)) return;
+    int32_t dx = p.x_lat - c->point[e].x_lat, dy = p.y_lat - c->point[e].y_lat;
+    uint32_t length = dist_of(dx, dy);
+    if (length == 0) return;
+    v[0] = (int32_t)((int64_t)dx * (1 << UNIT_BITS) / length);
+    v[1] = (int32_t)((int64_t)dy * (1 << UNIT_BITS) / length);
+}
+
+/* How straight it goes from run to run through the ends e and f: larger is straighter. */
+static int32_t straightness(const chain_t *c, int32_t e, int32_t f, const int32_t ve[2], const int32_t vf[2]) {
+    const run_t *a = &c->pool->run[e >> 1], *b = &c->pool->run[f >> 1];
+    int32_t score = -(ve[0] * vf[0] + ve[1] * vf[1]);
+    return run_same_line(a, b) && (e & 1) != (f & 1) ? score + STRAIGHT : score;
+}
+
+static void link_ends(pool_t *p, int32_t e, int32_t f) {
+    p->mate[e] = f;
+    p->mate[f] = e;
+}
+
+/* Pairs the ends of a cluster, straightest first. */
+static void pair_cluster(chain_t *c, int32_t *end, int n) {
+    int32_t v[CLUSTER_MAX][2];
+    for (int i = 0; i < n; i++) direction(c, end[i], v[i]);
+    for (;;) {
+        int32_t best = INT32_MIN;
+        int bi = -1, bj = -1;
+        for (int i = 0; i < n; i++) {
+            for (int j = i + 1; j < n; j++) {
+                if (end[i] < 0 || end[j] < 0 || end[j] == pool_other_end(end[i])) continue;
+                int32_t s = straightness(c, end[i], end[j], v[i], v[j]);
+                if (s > best) best = s, bi = i, bj = j;
+            }
+        }
+        if (bi < 0) return;
+        link_ends(c->pool, end[bi], end[bj]);
+        end[bi] = end[bj] = -1;
+    }
+}
+
+void chain_pair(chain_t *c) {
+    for (int32_t e = 0; e < 2 * c->pool->n; e++) {
+        int32_t cluster[CLUSTER_MAX];
+        if (c->pool->mate[e] >= 0) continue;
+        int n = chain_free_ends(c, c->point[e], cluster, CLUSTER_MAX);
+        if (n == 2 && cluster[0] != pool_other_end(cluster[1])) link_ends(c->pool, cluster[0], cluster[1]);
+        if (n > 2) pair_cluster(c, cluster, n);
+    }
+}
+
+int32_t chain_close(chain_t *c) {
+    pool_t *p = c->pool;
+    int32_t strokes = 0;
+    for (int32_t e = 0; e < 2 * p->n; e++) {
+        if (p->mate[e] >= 0 || p->run[e >> 1].to_hi & RUN_SEEN) continue;
+        int32_t far = e;
+        for (;;) {
+            p->run[far >> 1].to_hi |= RUN_SEEN;
+            far = pool_other_end(far);
+            if (p->mate[far] < 0) break;
+            far = p->mate[far];
+        }
+        p->mate[e] = ~far;
+        p->mate[far] = ~e;
+        strokes++;
+    }
+    return strokes;
+}

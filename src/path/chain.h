@@ -1,0 +1,39 @@
+/* chain.h - pairs the ends of runs that meet, so that strokes go on through nodes.
+ *
+ * Ends within near_lat of each other on the page form a cluster: a node of the grid, a silhouette's corner, two curves
+ * that touch. Within a cluster the straightest pairs are taken first (two runs of one line are straighter than
+ * anything), so no run is ever cut to turn, and at most one end of a cluster stays free. That gives half as many
+ * strokes as there are nodes of odd degree, Euler's minimum, up to closed strokes, which loop.h then opens. Memory: the
+ * pool's work area. Cost: linear; a hash over page cells, and directions only where three or more ends meet. */
+#ifndef CHAIN_H
+#define CHAIN_H
+
+#include "path/pool.h"
+
+typedef struct chain {
+    pool_t *pool;
+    const ink_map_t *map;
+    int32_t near_lat;
+    page_point_t *point; /* of every end */
+    int32_t *next;       /* next end in the same bucket, or -1 */
+    int32_t *head;       /* buckets */
+    uint32_t mask;       /* buckets - 1 */
+    int shift;           /* page cells are 2^shift lat wide */
+} chain_t;
+
+/* Finds the page points of all ends. Runs that the map does not find are removed and counted in the result. */
+int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near_lat);
+/* Pairs ends: fills pool->mate; free ends hold -1 until chain_close. */
+void chain_pair(chain_t *c);
+/* Links the two free ends of every stroke; RUN_SEEN then marks every run of an open stroke, and those that are not
+ * marked are closed strokes. Returns the number of open strokes. */
+int32_t chain_close(chain_t *c);
+
+/* Free ends within near_lat of p: up to max of them into out. Returns how many. */
+int chain_free_ends(const chain_t *c, page_point_t p, int32_t *out, int max);
+/* Enters the end e, at p, for chain_free_ends to find. */
+void chain_enter(chain_t *c, int32_t e, page_point_t p);
+/* The point that follows e into its run, for directions; false if the map does not know it. */
+bool chain_ahead(const chain_t *c, int32_t e, page_point_t *out);
+
+#endif

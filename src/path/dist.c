@@ -1,0 +1,43 @@
+/* dist.c - table square root. See dist.h. */
+#include "path/dist.h"
+
+/* 2^14 sqrt(1 + k / 32), k = 0..96 */
+static const uint16_t ROOT_Q14[97] = {
+    16384, 16638, 16888, 17135, 17378, 17618, 17854, 18087, 18318, 18545, 18770, 18992, 19212, 19429,
+    19644, 19856, 20066, 20274, 20480, 20684, 20886, 21085, 21283, 21480, 21674, 21867, 22058, 22247,
+    22435, 22621, 22806, 22989, 23170, 23351, 23530, 23707, 23884, 24059, 24232, 24405, 24576, 24746,
+    24915, 25083, 25249, 25415, 25580, 25743, 25905, 26067, 26227, 26387, 26545, 26703, 26859, 27015,
+    27170, 27324, 27477, 27629, 27780, 27931, 28081, 28230, 28378, 28525, 28672, 28818, 28963, 29108,
+    29251, 29394, 29537, 29678, 29819, 29960, 30099, 30238, 30377, 30515, 30652, 30788, 30924, 31059,
+    31194, 31328, 31462, 31595, 31727, 31859, 31991, 32122, 32252, 32382, 32511, 32640, 32768};
+
+/* 2^22 sqrt(v / 2^26), 2^26 <= v < 2^28. */
+static uint32_t root_q22(uint32_t v) {
+    uint32_t k = (v >> 21) - 32, f = v & 0x1fffff;
+    uint32_t lo = ROOT_Q14[k], hi = ROOT_Q14[k + 1];
+    return (lo << 8) + ((hi - lo) * (f >> 13));
+}
+
+uint32_t dist_of(int32_t dx, int32_t dy) {
+    uint32_t ax = dx < 0 ? 0u - (uint32_t)dx : (uint32_t)dx, ay = dy < 0 ? 0u - (uint32_t)dy : (uint32_t)dy;
+    uint32_t big = ax > ay ? ax : ay;
+    if (big == 0) return 0;
+    int shift = 17 - __builtin_clz(big); /* make the larger one fill 15 bits */
+    if (shift > 0) {
+        uint32_t round = 1u << (shift - 1);
+        ax = (ax + round) >> shift;
+        ay = (ay + round) >> shift;
+    } else {
+        ax <<= -shift;
+        ay <<= -shift;
+    }
+    uint32_t sum = ax * ax + ay * ay; /* in [2^28, 2^31] */
+    int half = sum >= 1u << 30 ? 2 : 1;
+    uint32_t root = root_q22(sum >> (2 * half)); /* 2^22 sqrt(sum / 2^(26 + 2 half)) */
+    int down = 22 - 13 - half - shift;
+    return down > 0 ? (root + (1u << (down - 1))) >> down : root << -down;
+}
+
+uint32_t dist_between(page_point_t a, page_point_t b) {
+    return dist_of(a.x_lat - b.x_lat, a.y_lat - b.y_lat);
+}

@@ -1,0 +1,74 @@
+/* emit.c - from runs back to points. See emit.h. */
+#include "path/emit.h"
+#include "path/dist.h"
+
+/* Walks the vertices of a stroke: end, whole parameters between, end, next run. */
+typedef struct walk {
+    const pool_t *pool;
+    int32_t end; /* where the present run is entered, or negative at the end of the stroke */
+    int64_t t_q30, last_q30;
+    bool started;
+} walk_t;
+
+static void enter(walk_t *w, int32_t end) {
+    w->end = end;
+    w->started = false;
+    if (end < 0) return;
+    w->t_q30 = pool_end_t(w->pool, end);
+    w->last_q30 = pool_end_t(w->pool, pool_other_end(end));
+}
+
+/* The next vertex; false at the end of the stroke. */
+static bool next(walk_t *w, const ink_map_t *map, page_point_t *p, bool *known) {
+    if (w->started && w->t_q30 == w->last_q30) enter(w, w->pool->mate[pool_other_end(w->end)]);
+    if (w->end < 0) return false;
+    if (w->started) {
+        if (w->t_q30 < w->last_q30) {
+            int64_t t = ((w->t_q30 >> 30) + 1) * INK_ONE;
+            w->t_q30 = t < w->last_q30 ? t : w->last_q30;
+        } else {
+            int64_t t = ((w->t_q30 - 1) >> 30) * INK_ONE;
+            w->t_q30 = t > w->last_q30 ? t : w->last_q30;
+        }
+    }
+    w->started = true;
+    const run_t *r = &w->pool->run[w->end >> 1];
+    *known = map->point(map->ctx, run_family(r), run_surface(r), r->line, w->t_q30, p);
+    return true;
+}
+
+int emit_stroke(pool_t *pool, const ink_map_t *map, int32_t start, simplify_t *out, int64_t *vertices) {
+    walk_t w = {.pool = pool};
+    page_point_t p;
+    bool known, begun = false;
+    enter(&w, start);
+    while (next(&w, map, &p, &known)) {
+        pool->run[w.end >> 1].to_hi |= RUN_DRAWN;
+        ++*vertices;
+        if (!known) continue;
+        int err = begun ? simplify_draw(out, p) : simplify_move(out, p);
+        if (err) return err;
+        begun = true;
+    }
+    return simplify_finish(out);
+}
+
+void emit_drop(pool_t *pool, int32_t start) {
+    for (int32_t e = start; e >= 0; e = pool->mate[pool_other_end(e)]) pool->run[e >> 1].to_hi |= RUN_DRAWN;
+}
+
+bool emit_is_dot(const pool_t *pool, const ink_map_t *map, int32_t start, int32_t dot_lat) {
+    walk_t w = {.pool = pool};
+    page_point_t p, last;
+    uint32_t length = 0;
+    bool known, begun = false;
+    enter(&w, start);
+    while (next(&w, map, &p, &known)) {
+        if (!known) continue;
+        if (begun) length += dist_between(last, p);
+        if (length >= (uint32_t)dot_lat) return false;
+        last = p;
+        begun = true;
+    }
+    return true;
+}

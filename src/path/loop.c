@@ -1,0 +1,93 @@
+/* loop.c - walks every closed stroke once, looking for a free end to start it from. See loop.h. */
+#include "path/loop.h"
+
+/* A place on a closed stroke and the free end found there. */
+typedef struct meeting {
+    int32_t start; /* the end from which the run is walked */
+    int64_t t_q30; /* where on the run */
+    page_point_t at;
+    int32_t free_end;
+} meeting_t;
+
+static bool find_on_run(const chain_t *c, int32_t start, meeting_t *m) {
+    const run_t *r = &c->pool->run[start >> 1];
+    int64_t t = run_t_of(r, 0), end = run_t_of(r, 1);
+    m->start = start;
+    while (t <= end) {
+        m->t_q30 = t;
+        if (c->map->point(c->map->ctx, run_family(r), run_surface(r), r->line, t, &m->at) &&
+            chain_free_ends(c, m->at, &m->free_end, 1))
+            return true;
+        t = t == end ? end + 1 : ((t >> 30) + 1) * INK_ONE < end ? ((t >> 30) + 1) * INK_ONE : end;
+    }
+    return false;
+}
+
+/* Walks the closed stroke through `first`, marking its runs; looks for a meeting until there is one. */
+static bool walk(const chain_t *c, int32_t first, meeting_t *m) {
+    bool found = false;
+    int32_t e = first;
+    do {
+        c->pool->run[e >> 1].to_hi |= RUN_SEEN;
+        if (!found) found = find_on_run(c, e, m);
+        e = c->pool->mate[pool_other_end(e)];
+    } while (e != first);
+    return found;
+}
+
+static void set_far_ends(pool_t *p, int32_t e, int32_t f) {
+    p->mate[e] = ~f;
+    p->mate[f] = ~e;
+}
+
+/* Opens the stroke between the end e and the end it continues into. */
+static void cut_at_end(pool_t *p, int32_t e) {
+    set_far_ends(p, e, p->mate[e]);
+}
+
+/* Cuts the run in two at t and opens the stroke there. The first part keeps the number. Returns the free end of the
+ * second part. */
+static int32_t cut_run(chain_t *c, int32_t r, int64_t t_q30, page_point_t at) {
+    pool_t *p = c->pool;
+    int32_t s = p->n++, beyond = p->mate[2 * r + 1];
+    p->run[s] = p->run[r];
+    run_set_t(&p->run[r], 1, t_q30);
+    run_set_t(&p->run[s], 0, t_q30);
+    p->mate[2 * s + 1] = beyond;
+    p->mate[beyond] = 2 * s + 1;
+    c->point[2 * s + 1] = c->point[2 * r + 1];
+    c->point[2 * r + 1] = at;
+    chain_enter(c, 2 * s, at);
+    set_far_ends(p, 2 * s, 2 * r + 1);
+    return 2 * s;
+}
+
+int32_t loop_open(chain_t *c) {
+    pool_t *p = c->pool;
+    int32_t alone = 0, runs = p->n;
+    for (int32_t r = 0; r < runs; r++) {
+        meeting_t m;
+        int32_t e;
+        if (p->run[r].to_hi & RUN_SEEN) continue;
+        bool found = walk(c, 2 * r, &m);
+        int32_t k = m.start >> 1;
+        bool at_end = found && (m.t_q30 == pool_end_t(p, 2 * k) || m.t_q30 == pool_end_t(p, 2 * k + 1));
+        if (!found || (!at_end && p->n == p->cap)) {
+            cut_at_end(p, 2 * r);
+            alone++;
+            continue;
+        }
+        if (at_end) {
+            e = 2 * k + (m.t_q30 == pool_end_t(p, 2 * k + 1));
+            cut_at_end(p, e);
+        } else {
+            e = cut_run(c, k, m.t_q30, m.at);
+        }
+        int32_t far_of_loop = ~p->mate[e], far_of_other = ~p->mate[m.free_end];
+        /* ... other -> free_end, then once round from far_of_loop's side to e: e stays free for the next loop */
+        p->mate[far_of_loop] = m.free_end;
+        p->mate[m.free_end] = far_of_loop;
+        set_far_ends(p, e, far_of_other);
+    }
+    return alone;
+}

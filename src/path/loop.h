@@ -1,0 +1,16 @@
+/* loop.h - opens closed strokes, where it saves a lift: at a node where another stroke ends.
+ *
+ * Pairing ends may close a stroke on itself (the border of a grid, a round silhouette). A closed stroke has to start
+ * somewhere anyway, so starting it where some open stroke ends costs nothing and makes one stroke of two: only
+ * then is Euler's minimum reached. The others are opened where two of their runs meet.
+ * Cost: one point of the map for every vertex of a closed stroke; open strokes cost nothing. */
+#ifndef LOOP_H
+#define LOOP_H
+
+#include "path/chain.h"
+
+/* Opens all closed strokes, after chain_close. May cut a run in two at a node, while the pool has room for it.
+ * Returns how many strokes this leaves in addition to the open ones. */
+int32_t loop_open(chain_t *c);
+
+#endif

@@ -1,0 +1,44 @@
+/* near.h - which stroke ends are near a place: a grid over the page.
+ *
+ * Coordinates are "spots": 15 bits an axis over the drawing's extent, so that squares fit 32 bits and a stroke's ends
+ * cost 8 bytes. Items are 2 * stroke + side. Cells hold about four items when the grid is built; heavy
+ * cells are not searched to the end, since whatever is in the same cell is near. */
+#ifndef NEAR_H
+#define NEAR_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct spot {
+    int16_t x, y; /* 0 .. 32767 */
+} spot_t;
+
+typedef struct near_cell {
+    uint32_t start, count; /* of items */
+} near_cell_t;
+
+typedef struct near {
+    const spot_t *spot; /* of every item */
+    int32_t *item;
+    near_cell_t *cell;
+    int32_t cells_max;
+    int32_t nx, ny;
+    int shift; /* a cell is 2^shift spots wide */
+} near_t;
+
+#define NEAR_CELL_SCAN 32 /* items looked at in one cell */
+
+static inline uint32_t near_square(spot_t a, spot_t b) {
+    int32_t dx = a.x - b.x, dy = a.y - b.y;
+    return (uint32_t)(dx * dx) + (uint32_t)(dy * dy);
+}
+
+/* Enters both ends of the strokes 0..strokes-1 for which place[stroke] < 0, or of all if place is NULL. */
+void near_build(near_t *g, int32_t strokes, const int32_t *place);
+/* The nearest item of a stroke with place[stroke] < 0, or -1 when none is left. Others are forgotten on the way.
+ * Exact but for heavy cells. */
+int32_t near_take(near_t *g, spot_t at, const int32_t *place);
+/* The cell with column cx and row cy, or NULL outside. */
+const near_cell_t *near_cell_at(const near_t *g, int32_t cx, int32_t cy);
+
+#endif

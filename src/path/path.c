@@ -1,0 +1,158 @@
+/* path.c - the stages of path.h put together: when the pool is full, and at the end. */
+#include "path/path.h"
+#include "error.h"
+#include "path/chain.h"
+#include "path/dist.h"
+#include "path/emit.h"
+#include "path/loop.h"
+#include "path/tour.h"
+
+/* A full pool draws this part of its strokes; the rest stays to be continued. A smaller part would make fewer
+ * strokes, and order more often. */
+#define FLUSH_PART 8
+/* Operations beyond which a large pool gets only EFFORT_LARGE a run: ordering has to stay linear. */
+#define OPERATIONS_MAX ((int64_t)1 << 20)
+#define EFFORT_LARGE 64
+
+void path_default(path_config_t *c, uint32_t steps_per_mm_q16) {
+    uint64_t lat_q16 = (uint64_t)LAT_PER_MM << 32;
+    *c = (path_config_t){.effort = 2000};
+    c->step_lat = steps_per_mm_q16 ? (int32_t)((lat_q16 / steps_per_mm_q16 + (1 << 15)) >> 16) : LAT_PER_MM;
+}
+
+static int pen_move(void *ctx, page_point_t to) {
+    path_t *p = ctx;
+    p->stats.strokes++;
+    p->stats.up_lat += dist_between(p->at, to);
+    p->at = to;
+    return p->pen->move(p->pen->ctx, to);
+}
+
+static int pen_draw(void *ctx, page_point_t to) {
+    path_t *p = ctx;
+    p->stats.draws++;
+    p->stats.down_lat += dist_between(p->at, to);
+    p->at = to;
+    return p->pen->draw(p->pen->ctx, to);
+}
+
+/* What the plotter would travel if it drew the runs from `from` on as they came. */
+static void account_arrivals(path_t *p, const chain_t *c, int32_t from) {
+    for (int32_t r = from; r < p->pool.n; r++) {
+        p->stats.up_arrival_lat += dist_between(p->arrival_at, c->point[2 * r]);
+        p->arrival_at = c->point[2 * r + 1];
+    }
+}
+
+static int draw_stroke(path_t *p, int32_t start) {
+    if (!emit_is_dot(&p->pool, p->map, start, p->config.step_lat))
+        return emit_stroke(&p->pool, p->map, start, &p->simplify, &p->stats.vertices);
+    p->stats.dots++;
+    emit_drop(&p->pool, start);
+    return 0;
+}
+
+/* Dots need not be in the tour, once nothing can come that continues them. */
+static void drop_dots(path_t *p) {
+    for (int32_t e = 0; e < 2 * p->pool.n; e++) {
+        int32_t far = ~p->pool.mate[e];
+        if (far < e || !emit_is_dot(&p->pool, p->map, e, p->config.step_lat)) continue;
+        p->stats.dots++;
+        emit_drop(&p->pool, e);
+    }
+}
+
+static void forget_drawn(pool_t *pool) {
+    int32_t n = 0;
+    for (int32_t r = 0; r < pool->n; r++) {
+        if (!(pool->run[r].to_hi & RUN_DRAWN)) pool->run[n++] = pool->run[r];
+    }
+    pool->n = n;
+}
+
+/* Orders what is in the pool and draws the first strokes of it, or all. */
+static int flush(path_t *p, bool all) {
+    chain_t chain;
+    tour_t tour;
+    pool_t *pool = &p->pool;
+    p->stats.lost += chain_place(&chain, pool, p->map, p->config.step_lat / 4);
+    account_arrivals(p, &chain, p->kept < pool->n ? p->kept : pool->n);
+    chain_pair(&chain);
+    chain_close(&chain);
+    loop_open(&chain);
+    if (all) drop_dots(p);
+    tour_collect(&tour, &chain, p->at, p->config.home);
+    tour_greedy(&tour);
+    int64_t operations = (int64_t)p->config.effort * tour.n;
+    int64_t least = (int64_t)EFFORT_LARGE * tour.n;
+    if (operations > OPERATIONS_MAX) operations = least > OPERATIONS_MAX ? least : OPERATIONS_MAX;
+    tour_improve(&tour, operations);
+    tour_settle(&tour);
+    int32_t count = all ? tour.n : (tour.n + FLUSH_PART - 1) / FLUSH_PART;
+    for (int32_t k = 0; k < count; k++) {
+        int err = draw_stroke(p, tour_stroke(&tour, pool, k));
+        if (err) return err;
+    }
+    forget_drawn(pool);
+    p->kept = pool->n;
+    return 0;
+}
+
+static int take_run(void *ctx, const ink_piece_t *run) {
+    path_t *p = ctx;
+    if (p->pool.n == p->pool.cap) {
+        int err = flush(p, false);
+        if (err) return err;
+        p->stats.flushes++;
+    }
+    p->pool.run[p->pool.n++] = run_pack(run);
+    p->stats.runs++;
+    return 0;
+}
+
+int path_init(path_t *p, void *mem, size_t bytes, const path_config_t *c, const ink_map_t *map, const pen_sink_t *pen) {
+    if (c->step_lat < 8 || c->lines < 0 || c->effort < 0) return ERR_VALUE;
+    if (!mem || bytes < PATH_BYTES_MIN) return ERR_FULL;
+    size_t skip = (8 - (uintptr_t)mem % 8) % 8, left = bytes - skip;
+    uint32_t pairs = 1;
+    while ((int32_t)pairs < c->lines && pairs < 1u << 24 && JOIN_BYTES(2 * pairs) <= left / 2) pairs *= 2;
+    *p = (path_t){.config = *c, .map = map, .pen = pen, .at = c->home, .arrival_at = c->home};
+    join_init(&p->join, (uint8_t *)mem + skip, pairs, c->step_lat / 4, map, (ink_sink_t){p, take_run});
+    left -= JOIN_BYTES(pairs);
+    size_t cap = left / POOL_BYTES_PER_RUN - 1;
+    if (cap > POOL_RUNS_MAX) cap = POOL_RUNS_MAX;
+    p->pool.cap = (int32_t)cap;
+    p->pool.run = (run_t *)(void *)((uint8_t *)mem + skip + JOIN_BYTES(pairs));
+    p->pool.mate = (int32_t *)(void *)(p->pool.run + cap + 1);
+    p->pool.work = (uint32_t *)(void *)(p->pool.mate + 2 * (cap + 1));
+    p->stats.bytes = JOIN_BYTES(pairs) + POOL_BYTES(cap);
+    simplify_init(&p->simplify, c->step_lat / 8, (pen_sink_t){p, pen_move, pen_draw});
+    return 0;
+}
+
+static int take_piece(void *ctx, const ink_piece_t *piece) {
+    path_t *p = ctx;
+    if (piece->from_q30 < 0 || piece->to_q30 >= RUN_T_LIMIT || piece->from_q30 > piece->to_q30) return ERR_VALUE;
+    if (piece->family > INK_CURVE) return ERR_VALUE;
+    return join_piece(&p->join, piece);
+}
+
+ink_sink_t path_sink(path_t *p) {
+    return (ink_sink_t){p, take_piece};
+}
+
+int path_polyline(path_t *p, uint8_t surface, int32_t line, int32_t vertices) {
+    ink_piece_t piece = {INK_CURVE, surface, line, 0, (vertices - 1) * INK_ONE};
+    return take_piece(p, &piece);
+}
+
+int path_finish(path_t *p, path_stats_t *stats) {
+    int err = join_finish(&p->join);
+    if (!err) err = flush(p, true);
+    p->stats.pieces = p->join.pieces;
+    p->stats.up_lat += dist_between(p->at, p->config.home);
+    p->stats.up_arrival_lat += dist_between(p->arrival_at, p->config.home);
+    p->at = p->config.home;
+    if (stats) *stats = p->stats;
+    return err;
+}

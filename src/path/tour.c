@@ -1,0 +1,103 @@
+/* tour.c - collects strokes, orders them greedily. See tour.h; improvement is in improve.c. */
+#include "path/tour.h"
+
+_Static_assert(POOL_WORK_PER_RUN >= 4 * (2 + 1 + 1 + 1 + 2 + 1), "items, order, place, end, spots, cells");
+_Static_assert(sizeof(near_cell_t) == 8 && sizeof(spot_t) == 4, "the layout below");
+
+static void lay_out(tour_t *t, const pool_t *pool) {
+    int32_t m = pool->cap + 1;
+    int32_t *w = (int32_t *)(void *)pool->work;
+    t->near.item = w; /* over the chain's points, and so are order and place: set up after the points are read */
+    t->order = w + 2 * m;
+    t->place = w + 3 * m;
+    t->end = w + 4 * m; /* over the chain's links and buckets, which are no longer needed */
+    t->spot = (spot_t *)(void *)(w + 5 * m);
+    t->near.cell = (near_cell_t *)(void *)(w + 7 * m);
+    t->near.cells_max = m / 2;
+    t->near.spot = t->spot;
+}
+
+/* The extent of the drawing, and how many bits must go so that it fits 15. */
+typedef struct extent {
+    int32_t x0, y0, x1, y1;
+    int shift;
+} extent_t;
+
+static void include(extent_t *b, page_point_t p) {
+    if (p.x_lat < b->x0) b->x0 = p.x_lat;
+    if (p.y_lat < b->y0) b->y0 = p.y_lat;
+    if (p.x_lat > b->x1) b->x1 = p.x_lat;
+    if (p.y_lat > b->y1) b->y1 = p.y_lat;
+}
+
+static spot_t spot_of(const extent_t *b, page_point_t p) {
+    return (spot_t){(int16_t)((p.x_lat - b->x0) >> b->shift), (int16_t)((p.y_lat - b->y0) >> b->shift)};
+}
+
+void tour_collect(tour_t *t, const chain_t *c, page_point_t at, page_point_t home) {
+    const int32_t *mate = c->pool->mate;
+    extent_t box = {at.x_lat, at.y_lat, at.x_lat, at.y_lat, 0};
+    int32_t ends = 2 * c->pool->n;
+    lay_out(t, c->pool);
+    include(&box, home);
+    for (int32_t e = 0; e < ends; e++) {
+        if (mate[e] < 0) include(&box, c->point[e]);
+    }
+    while ((box.x1 - box.x0) >> box.shift > INT16_MAX || (box.y1 - box.y0) >> box.shift > INT16_MAX) box.shift++;
+    t->n = 0;
+    for (int32_t e = 0; e < ends; e++) {
+        if (mate[e] >= 0 || ~mate[e] < e || c->pool->run[e >> 1].to_hi & RUN_DRAWN) continue;
+        t->end[t->n] = e;
+        t->spot[2 * t->n] = spot_of(&box, c->point[e]);
+        t->spot[2 * t->n + 1] = spot_of(&box, c->point[~mate[e]]);
+        t->n++;
+    }
+    t->end[t->n] = 0;
+    t->spot[2 * t->n] = spot_of(&box, home);
+    t->spot[2 * t->n + 1] = spot_of(&box, at);
+}
+
+void tour_greedy(tour_t *t) {
+    int32_t left = t->n, built = INT32_MAX;
+    spot_t at = t->spot[2 * t->n + 1];
+    for (int32_t k = 0; k <= t->n; k++) t->place[k] = -1;
+    while (left > 0) {
+        if (left <= built / 4) { /* keep the grid as coarse as what is left is sparse */
+            near_build(&t->near, t->n, t->place);
+            built = left;
+        }
+        int32_t item = near_take(&t->near, at, t->place);
+        int32_t k = t->n - left--;
+        t->order[k] = item;
+        t->place[item >> 1] = k;
+        at = t->spot[item ^ 1];
+    }
+    t->order[t->n] = 2 * t->n;
+    t->place[t->n] = t->n;
+}
+
+static void turn_back(int32_t *item, int32_t from, int32_t to) {
+    for (; from < to; from++, to--) {
+        int32_t keep = item[from];
+        item[from] = item[to];
+        item[to] = keep;
+    }
+}
+
+void tour_settle(tour_t *t) {
+    int32_t n = t->n, pen = t->place[n];
+    if (t->order[pen] != 2 * n) { /* the pen's stroke is entered where it should be left: mirror the circle */
+        turn_back(t->order, 0, n);
+        for (int32_t k = 0; k <= n; k++) t->order[k] ^= 1;
+        pen = n - pen;
+    }
+    turn_back(t->order, 0, pen); /* rotate by three reversals */
+    turn_back(t->order, pen + 1, n);
+    turn_back(t->order, 0, n);
+    for (int32_t k = 0; k <= n; k++) t->place[t->order[k] >> 1] = k;
+}
+
+int32_t tour_stroke(const tour_t *t, const pool_t *pool, int32_t k) {
+    int32_t item = t->order[k], e = t->end[item >> 1] & ~TOUR_QUIET;
+    return item & 1 ? ~pool->mate[e] : e;
+}

@@ -1,0 +1,39 @@
+/* tour.h - the order of the strokes: a closed tour from where the pen is, past every stroke, to home.
+ *
+ * Stroke k has the items 2k and 2k+1, its two ends. The order is an array of items: the end at which each stroke is
+ * entered. One more stroke stands for the pen: entered at home, left where the pen is; so the tour is a circle that may
+ * be turned and mirrored at will, and is put right at the end. tour_improve is 2-opt and Or-opt over near ends, then
+ * rounds of a random exchange of two neighbouring stretches that are kept if repair makes them shorter (Johnson and
+ * McGeoch 1997 call it iterated local search; the generator is seeded, so the order is the same everywhere). Its work
+ * is counted, not timed. */
+#ifndef TOUR_H
+#define TOUR_H
+
+#include "path/chain.h"
+#include "path/near.h"
+
+#define TOUR_QUIET (1 << 30) /* in tour.end: nothing around this stroke can be improved at the moment */
+
+typedef struct tour {
+    int32_t n;      /* strokes, without the pen's */
+    int32_t *order; /* n + 1 items: the end at which the stroke at this place is entered */
+    int32_t *place; /* n + 1: the stroke's place in order, or -1 */
+    int32_t *end;   /* n: n + 1: a free end of the stroke (pool.h), that item 2k stands for; and TOUR_QUIET */
+    spot_t *spot;   /* 2 (n + 1) items */
+    near_t near;
+    int64_t budget; /* operations left: a distance computed, or four places moved, is one */
+} tour_t;
+
+/* Takes the free ends out of the chain, whose arrays end with this (they share memory). `at` is where the pen is,
+ * `home` where it is wanted afterwards. */
+void tour_collect(tour_t *t, const chain_t *c, page_point_t at, page_point_t home);
+/* Always to the nearest end. Cost near-linear. */
+void tour_greedy(tour_t *t);
+/* Shortens the tour within so many operations. */
+void tour_improve(tour_t *t, int64_t operations);
+/* Turns the circle so that the pen's stroke is last, and everything is entered as said. */
+void tour_settle(tour_t *t);
+/* The end from which the stroke in place k is to be drawn, 0 <= k < n. */
+int32_t tour_stroke(const tour_t *t, const pool_t *pool, int32_t k);
+
+#endif
