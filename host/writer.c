@@ -9,6 +9,7 @@
 #include "host/gcode.h"
 #include "host/hpgl.h"
 #include "host/image.h"
+#include "host/plotter.h"
 #include "host/seg.h"
 #include "host/svg.h"
 
@@ -19,9 +20,9 @@ typedef struct writer {
 } writer_t;
 
 static const writer_t WRITERS[] = {
-    {".svg", svg_write, NULL},     {".png", image_write_png, NULL}, {".pdf", image_write_pdf, NULL},
-    {".seg", seg_write, NULL},     {".hpgl", hpgl_write, NULL},     {".plt", hpgl_write, NULL},
-    {".gcode", NULL, gcode_write},
+    {".svg", svg_write, NULL},     {".png", image_write_png, NULL},   {".pdf", image_write_pdf, NULL},
+    {".seg", seg_write, NULL},     {".hpgl", hpgl_write, NULL},       {".plt", hpgl_write, NULL},
+    {".gcode", NULL, gcode_write}, {".vcd", NULL, plotter_write_vcd},
 };
 
 /* Where the suffix of the last part of the path begins, or its end. */
