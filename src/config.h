@@ -33,6 +33,38 @@
 #endif
 _Static_assert(CONFIG_DATA_COLUMNS < 64, "data_reader keeps one bit per column in 64");
 
+/* Variables and user functions, those only mentioned included: 24 bytes each. */
+#ifndef CONFIG_SYMBOLS
+#define CONFIG_SYMBOLS 128
+#endif
+
+/* Their names, the code of functions, and expressions that are compiled only to be evaluated once (bytes). A function
+ * takes a byte an operator, 2 a name or small integer, 3 a call, 11 another constant. */
+#ifndef CONFIG_POOL
+#define CONFIG_POOL 8192
+#endif
+
+/* Values on the evaluator's stack, arguments and operands of all calls under way: 16 bytes each. */
+#ifndef CONFIG_STACK
+#define CONFIG_STACK 1024
+#endif
+
+/* User functions under way at once, which is the limit of recursion: 8 bytes each (16 on 64-bit machines). gnuplot's
+ * limit is 250 too. */
+#ifndef CONFIG_CALLS
+#define CONFIG_CALLS 250
+#endif
+
+/* User functions that one evaluation may call in all, so that no line of text runs for hours. */
+#ifndef CONFIG_CALL_WORK
+#define CONFIG_CALL_WORK 10000000
+#endif
+
+/* Operators and brackets open at once while an expression is compiled: 4 bytes of the machine's stack each. */
+#ifndef CONFIG_NESTING
+#define CONFIG_NESTING 64
+#endif
+
 /* Compiled expressions of one plot command, those in `using` included: a byte an operator, 2 a name, 11 a constant. */
 #ifndef CONFIG_PLOT_CODE
 #define CONFIG_PLOT_CODE 4096

@@ -20,10 +20,6 @@
 #include "lang/names.h"
 
 #define EXPR_PARAMS 8
-#ifndef EXPR_NESTING
-#define EXPR_NESTING 64 /* operators and brackets open at once while compiling; 4 bytes of stack each */
-#endif
-
 /* Dummy variables: parameter i stands for args[i]. */
 typedef struct expr_params {
     uint8_t count; /* 0 .. EXPR_PARAMS */

@@ -73,7 +73,7 @@ static inline const char *lexer_text(const lexer_t *lx) {
 int lexer_string(const lexer_t *lx, char *out, size_t size);
 
 /* Reports the current token as not expected here: `what` names what would have been, for instance "')' expected";
- * a TOKEN_BAD reports its own reason instead. Returns ERR_SYNTAX. */
+ * a TOKEN_BAD reports its own reason instead. what may be NULL. Returns ERR_SYNTAX. */
 int lexer_unexpected(const lexer_t *lx, lang_error_t *err, const char *what);
 
 #endif

@@ -1,33 +1,25 @@
 /* names.h - the language's context: variables, user functions and the memory they live in.
  *
  * Two tables share one array of symbols, as in gnuplot f and f(x) may both exist. Names and the code of functions lie
- * in one pool of bytes: names grow up from its start, function bodies follow; what is left at the end is lent
- * to expressions that are compiled, evaluated and forgotten. Redefining a function closes the gap of its old body.
+ * in one pool of bytes: function bodies grow up from its start, names down from its end; what is left between them is
+ * lent to expressions that are compiled, evaluated and forgotten. Redefining a function closes the gap of its old body.
  *
  * Compiled code names symbols by their index, so a symbol once made keeps its place until names_reset.
  *
- * Memory of a lang_t with the sizes below: symbols 24 bytes each, pool, stack 16 bytes each, calls 8 bytes each:
- * 3 KB + 8 KB + 4 KB + 0.5 KB. For a part with 16 KB of RAM: -DLANG_SYMBOLS=40 -DLANG_POOL=1024 -DLANG_STACK=48
- * -DLANG_CALLS=12 takes 2.9 KB. Every one that runs out is an ordinary ERR_FULL that names it. */
+ * Memory of a lang_t: CONFIG_SYMBOLS, CONFIG_POOL, CONFIG_STACK and CONFIG_CALLS in config.h say what each takes: 31 KB
+ * as the desktop has them; 2.9 KB, for a part with 16 KB of RAM, with 40 symbols, a pool of 1024, a stack of 48 and 12
+ * calls. Each one that runs out is an ordinary ERR_FULL that names it. */
 #ifndef NAMES_H
 #define NAMES_H
 
+#include "config.h"
 #include "lang/lang_error.h"
 #include "lang/value.h"
 #include <stdbool.h>
 
-#ifndef LANG_SYMBOLS
-#define LANG_SYMBOLS 128 /* variables and functions, at most 255 */
-#endif
-#ifndef LANG_POOL
-#define LANG_POOL 8192 /* bytes of names, functions and passing expressions, at most 65535 */
-#endif
-#ifndef LANG_STACK
-#define LANG_STACK 256 /* values: arguments and operands of all calls under way */
-#endif
-#ifndef LANG_CALLS
-#define LANG_CALLS 64 /* user functions under way at once: the limit of recursion */
-#endif
+_Static_assert(CONFIG_SYMBOLS >= 4 && CONFIG_SYMBOLS <= 255, "compiled code holds a symbol in one byte");
+_Static_assert(CONFIG_POOL >= 64 && CONFIG_POOL <= 65535, "the pool is addressed by 16 bits");
+_Static_assert(CONFIG_STACK >= 16 && CONFIG_STACK <= 65535, "constant folding needs a few values");
 
 enum symbol_kind { SYMBOL_VARIABLE, SYMBOL_FUNCTION };
 
@@ -51,10 +43,11 @@ typedef struct lang_call {
 } lang_call_t;
 
 typedef struct lang {
-    symbol_t symbol[LANG_SYMBOLS];
-    uint16_t symbols;               /* in use */
-    uint16_t names_end, bodies_end; /* bytes of the pool in use */
-    uint32_t seed[2];               /* rand() */
+    symbol_t symbol[CONFIG_SYMBOLS];
+    uint16_t symbols;     /* in use */
+    uint16_t bodies_end;  /* function bodies: pool[0 .. bodies_end) */
+    uint16_t names_start; /* names: pool[names_start .. CONFIG_POOL) */
+    int32_t seed[2];      /* rand(); 0, 0: not started */
     /* Columns of the data line at hand, for $1 and column(1) in a using expression; NULL elsewhere. */
     value_t (*column)(void *ctx, int32_t n);
     void *column_ctx;
@@ -63,9 +56,9 @@ typedef struct lang {
         const char *text; /* what happened */
         int16_t symbol;   /* whose fault it is, or -1 */
     } fault;
-    value_t stack[LANG_STACK];
-    lang_call_t call[LANG_CALLS];
-    uint8_t pool[LANG_POOL];
+    value_t stack[CONFIG_STACK];
+    lang_call_t call[CONFIG_CALLS];
+    uint8_t pool[CONFIG_POOL];
 } lang_t;
 
 /* Empties everything and defines pi and NaN. */
@@ -81,5 +74,8 @@ int names_intern(lang_t *l, enum symbol_kind kind, const char *name, size_t len,
 /* Forgets symbols made after the first `mark` ones that are still undefined, newest first up to the first
  * defined one; for an expression that was compiled and dropped. mark is an earlier l->symbols. */
 void names_release(lang_t *l, uint16_t mark);
+/* Makes the len bytes of code that stand at pool + bodies_end the body of a function symbol, in place of its old one.
+ * stack: values it needs on the stack, its params arguments included. */
+void names_define_function(lang_t *l, int symbol, uint8_t params, uint16_t len, uint16_t stack);
 
 #endif

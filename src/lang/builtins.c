@@ -1,0 +1,160 @@
+/* builtins.c - the table of functions, and those that care for the kind of their arguments.
+ *
+ * rand is the generator of gnuplot's specfun.c with the same seeds (P. L'Ecuyer, "Efficient and portable
+ * combined random number generators", CACM 31, 1988, fig. 3), so that a script draws the same picture here and
+ * there, and on every target. */
+#include "lang/builtins.h"
+#include "lang/arith.h"
+#include "num/func.h"
+
+static const char *give(value_t *out, num_t r) {
+    *out = value_real(r);
+    return r.undef ? ARITH_UNDEFINED : NULL;
+}
+
+static const char *fn_abs(lang_t *l, value_t *a, int n) {
+    (void)l, (void)n;
+    return a->m < 0 ? arith_unary(OP_NEG, a) : NULL;
+}
+
+static const char *fn_real(lang_t *l, value_t *a, int n) {
+    (void)l, (void)n;
+    if (a->kind == VALUE_INT) *a = value_real(num_from_i64(a->m));
+    return NULL;
+}
+
+static const char *fn_sgn(lang_t *l, value_t *a, int n) {
+    (void)l, (void)n;
+    *a = value_int((a->m > 0) - (a->m < 0));
+    return NULL;
+}
+
+static const char *whole(value_t *a, num_t (*round)(num_t)) {
+    if (a->kind == VALUE_REAL) *a = arith_whole(round(value_num(*a)));
+    return NULL;
+}
+
+static const char *fn_int(lang_t *l, value_t *a, int n) {
+    (void)l, (void)n;
+    return a->kind == VALUE_UNDEF ? ARITH_UNDEFINED : whole(a, num_trunc);
+}
+
+static const char *fn_floor(lang_t *l, value_t *a, int n) {
+    (void)l, (void)n;
+    return whole(a, num_floor);
+}
+
+static const char *fn_ceil(lang_t *l, value_t *a, int n) {
+    (void)l, (void)n;
+    return whole(a, num_ceil);
+}
+
+static const char *fn_atan2(lang_t *l, value_t *a, int n) {
+    (void)l, (void)n;
+    bool nan = a[0].kind == VALUE_UNDEF || a[1].kind == VALUE_UNDEF;
+    const char *fault = give(a, func_atan2(value_num(a[0]), value_num(a[1])));
+    return nan ? NULL : fault;
+}
+
+/* The smallest argument if sign is -1, the largest if it is 1; NaN if there is one. */
+static const char *extreme(value_t *a, int n, int sign) {
+    value_t best = a[0];
+    for (int i = 1; i < n && best.kind != VALUE_UNDEF; i++) {
+        bool better;
+        if (a[i].kind == VALUE_UNDEF)
+            better = true;
+        else if (best.kind == VALUE_INT && a[i].kind == VALUE_INT)
+            better = sign < 0 ? a[i].m < best.m : a[i].m > best.m;
+        else
+            better = num_cmp(value_num(a[i]), value_num(best)) == sign;
+        if (better) best = a[i];
+    }
+    a[0] = best;
+    return NULL;
+}
+
+static const char *fn_max(lang_t *l, value_t *a, int n) {
+    (void)l;
+    return extreme(a, n, 1);
+}
+
+static const char *fn_min(lang_t *l, value_t *a, int n) {
+    (void)l;
+    return extreme(a, n, -1);
+}
+
+static const char *fn_rand(lang_t *l, value_t *a, int n) {
+    enum { M1 = 2147483563, M2 = 2147483399, START = 1234567890 };
+    (void)n;
+    num_t arg = value_num(*a);
+    if (arg.undef) return NULL;
+    int sign = num_sign(arg);
+    if (sign < 0 || l->seed[0] == 0) l->seed[0] = l->seed[1] = START;
+    if (sign > 0) {
+        bool ok = true;
+        int64_t seed = num_to_fixed(num_trunc(arg), 0, &ok);
+        if (!ok || seed < 1 || seed >= M2) return "illegal seed value";
+        l->seed[0] = l->seed[1] = (int32_t)seed;
+    }
+    /* Schrage's way to a * seed mod m: every product stays below 2^31. */
+    int32_t k = l->seed[0] / 53668;
+    l->seed[0] = 40014 * (l->seed[0] - k * 53668) - k * 12211;
+    if (l->seed[0] < 0) l->seed[0] += M1;
+    k = l->seed[1] / 52774;
+    l->seed[1] = 40692 * (l->seed[1] - k * 52774) - k * 3791;
+    if (l->seed[1] < 0) l->seed[1] += M2;
+    int32_t z = l->seed[0] - l->seed[1];
+    if (z < 1) z += M1 - 1;
+    /* gnuplot's factor, 4.656613057e-10, a little less than 1 / M1: the result is inside ]0, 1[. */
+    return give(a, num_mul(num_from_i64(z), num_from_decimal(4656613057u, -19)));
+}
+
+static const char *fn_column(lang_t *l, value_t *a, int n) {
+    (void)n;
+    if (!l->column) return "a column of data makes no sense here";
+    num_t column = value_num(*a);
+    bool ok = true;
+    int64_t i = num_to_fixed(num_trunc(column), 0, &ok);
+    if (!ok || i < INT16_MIN || i > INT16_MAX) return "no such column";
+    *a = l->column(l->column_ctx, (int32_t)i);
+    return a->kind == VALUE_UNDEF ? ARITH_UNDEFINED : NULL;
+}
+
+const builtin_t BUILTINS[] = {
+    {"abs", 1, 1, 0, NULL, fn_abs},
+    {"acos", 1, 1, 0, func_acos, NULL},
+    {"asin", 1, 1, 0, func_asin, NULL},
+    {"atan", 1, 1, 0, func_atan, NULL},
+    {"atan2", 2, 2, 0, NULL, fn_atan2},
+    {"besj0", 1, 1, 0, func_besj0, NULL},
+    {"besj1", 1, 1, 0, func_besj1, NULL},
+    {"ceil", 1, 1, 0, NULL, fn_ceil},
+    {"column", 1, 1, BUILTIN_IMPURE | BUILTIN_COLUMNS, NULL, fn_column},
+    {"cos", 1, 1, 0, func_cos, NULL},
+    {"cosh", 1, 1, 0, func_cosh, NULL},
+    {"erf", 1, 1, 0, func_erf, NULL},
+    {"exp", 1, 1, 0, func_exp, NULL},
+    {"floor", 1, 1, 0, NULL, fn_floor},
+    {"gamma", 1, 1, 0, func_gamma, NULL},
+    {"int", 1, 1, 0, NULL, fn_int},
+    {"log", 1, 1, 0, func_log, NULL},
+    {"log10", 1, 1, 0, func_log10, NULL},
+    {"max", 2, 8, BUILTIN_OURS, NULL, fn_max},
+    {"min", 2, 8, BUILTIN_OURS, NULL, fn_min},
+    {"norm", 1, 1, 0, func_norm, NULL},
+    {"rand", 1, 1, BUILTIN_IMPURE, NULL, fn_rand},
+    {"real", 1, 1, 0, NULL, fn_real},
+    {"sgn", 1, 1, 0, NULL, fn_sgn},
+    {"sin", 1, 1, 0, func_sin, NULL},
+    {"sinh", 1, 1, 0, func_sinh, NULL},
+    {"sqrt", 1, 1, 0, num_sqrt, NULL},
+    {"tan", 1, 1, 0, func_tan, NULL},
+    {"tanh", 1, 1, 0, func_tanh, NULL},
+};
+
+int builtins_find(const char *name, size_t len) {
+    for (size_t i = 0; i < sizeof BUILTINS / sizeof BUILTINS[0]; i++) {
+        if (strlen(BUILTINS[i].name) == len && memcmp(BUILTINS[i].name, name, len) == 0) return (int)i;
+    }
+    return -1;
+}

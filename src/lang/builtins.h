@@ -1,0 +1,27 @@
+/* builtins.h - the functions that need no definition. */
+#ifndef BUILTINS_H
+#define BUILTINS_H
+
+#include "lang/names.h"
+
+enum builtin_flags {
+    BUILTIN_IMPURE = 1,  /* not the same result for the same arguments: rand */
+    BUILTIN_COLUMNS = 2, /* reads the data line at hand */
+    BUILTIN_OURS = 4,    /* gnuplot has none: a user's function of that name comes first */
+};
+
+typedef struct builtin {
+    char name[7];
+    uint8_t min_args, max_args, flags;
+    /* Exactly one of the two: a function of one real number, or of n values, args[0] being replaced by the result.
+     * The second returns what arith_binary does. */
+    num_t (*real1)(num_t a);
+    const char *(*any)(lang_t *l, value_t *args, int n);
+} builtin_t;
+
+/* In alphabetical order; compiled code holds the index. */
+extern const builtin_t BUILTINS[];
+/* The index of a function, or -1. */
+int builtins_find(const char *name, size_t len);
+
+#endif
