@@ -17,6 +17,18 @@ num_t num_from_fixed(int64_t v, int frac_bits) {
     return num_fast_normal(ints_abs64(v), -frac_bits, v);
 }
 
+num_t num_from_wide(wide_t v, int frac_bits) {
+    int64_t sign = v.hi;
+    if (sign < 0) v = wide_neg(v);
+    uint64_t u = (uint64_t)v.hi;
+    if (u == 0) return num_fast_normal(v.lo, -frac_bits, sign);
+    int n = ints_clz64(u);
+    u = u << n | (v.lo >> 1) >> (63 - n);
+    uint64_t r = (u >> 1) + (u & 1);
+    int carry = (int)(r >> 63);
+    return num_fast_make(ints_with_sign(r >> carry, sign), 65 - n + carry - frac_bits);
+}
+
 int64_t num_to_fixed(num_t a, int frac_bits, bool *ok) {
     return num_fast_to_fixed(a, frac_bits, ok);
 }

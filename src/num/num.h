@@ -19,6 +19,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "num/wide.h"
+
 #define NUM_EXP_LIMIT 1100 /* a little wider than double, so that whatever gnuplot prints we can hold */
 
 typedef struct num {
@@ -31,6 +33,8 @@ num_t num_undef(void);
 num_t num_from_i64(int64_t v);
 /* v / 2^frac_bits; |frac_bits| <= 10000. */
 num_t num_from_fixed(int64_t v, int frac_bits);
+/* v / 2^frac_bits, to nearest. */
+num_t num_from_wide(wide_t v, int frac_bits);
 /* mantissa * 10^exp10, within 1 ulp: what a decimal literal means. */
 num_t num_from_decimal(uint64_t mantissa, int32_t exp10);
 /* Nearest integer to a * 2^frac_bits, ties away from zero; |frac_bits| <= 10000. *ok (may be NULL) becomes

@@ -59,6 +59,17 @@ static inline wide_t wide_mul_s64(int64_t a, int64_t b) {
 #endif
 }
 
+/* floor(a * b / 2^64), signed. */
+static inline int64_t wide_mulhi_s64(int64_t a, int64_t b) {
+    return wide_mul_s64(a, b).hi;
+}
+
+/* floor(a * b / 2^32), exact; needs the result to fit. Half the work of a full product on a Cortex-M0. */
+static inline int64_t wide_scale(int64_t a, int32_t b) {
+    return (a >> 32) * b +
+           ((int64_t)(((uint64_t)(uint32_t)a * (uint32_t)b) >> 32) - (b < 0 ? (int64_t)(uint32_t)a : 0));
+}
+
 static inline wide_t wide_from_s64(int64_t a) {
     return (wide_t){a >> 63, (uint64_t)a};
 }

@@ -1,0 +1,135 @@
+/* sin, cos, tan.
+ *
+ * a = k pi/128 + r, |r| <= pi/256; then a table of sin(k pi/128) and short polynomials. Up to 2^20 the multiple
+ * of pi/128 is subtracted in 128 bits. Above, a / (2 pi) modulo 1 comes from the 192 bits of 1/(2 pi) that
+ * matter (M. Payne and R. Hanek, "Radian reduction for trigonometric functions", SIGNUM 18, 1983): any
+ * argument has an exact meaning, so sin(1e15) is as good as sin(1). */
+#include "num/func.h"
+#include "num/func_inner.h"
+#include "num/func_tables.h"
+#include "num/num_fast.h"
+
+/* The fraction of a turn, Q128, of m * 2^e for e > -64 (error below 2^-127). */
+static wide_u_t turns(uint64_t m, int32_t e) {
+    /* Word i of 1/(2 pi) from bit e on (bits in front of the point are zero). */
+    uint64_t w[3];
+    for (int i = 0; i < 3; i++) {
+        int32_t at = e + 64 * i, word = at >> 6, bit = at & 63;
+        uint64_t hi = word < 0 ? 0 : func_tables_turn[word], lo = word + 1 < 0 ? 0 : func_tables_turn[word + 1];
+        w[i] = hi << bit | (lo >> 1) >> (63 - bit);
+    }
+    wide_u_t p1 = wide_mul_u64(m, w[1]);
+    uint64_t p2 = wide_mulhi_u64(m, w[2]);
+    wide_u_t r = {m * w[0] + p1.hi, p1.lo + p2};
+    r.hi += r.lo < p2;
+    return r;
+}
+
+static uint32_t reduce_large(num_t a, wide_t *r) {
+    wide_u_t t = turns((uint64_t)a.m, a.e);
+    uint32_t k = (uint32_t)((t.hi + ((uint64_t)1 << 55)) >> 56) & 255;
+    wide_t phi = {(int64_t)(t.hi - ((uint64_t)k << 56)), t.lo}; /* Q128, |phi| <= 2^-9 */
+    int64_t sign = phi.hi;
+    if (sign < 0) phi = wide_neg(phi);
+    int n = phi.hi != 0 ? ints_clz64((uint64_t)phi.hi) : phi.lo != 0 ? 64 + ints_clz64(phi.lo) : 0;
+    phi = wide_shl(phi, n);
+    /* times 2 pi in Q61: Q(128 + n + 61 - 64) in a product of 128 bits above a dropped word */
+    wide_u_t p = wide_mul_u64((uint64_t)phi.hi, 0xc90fdaa22168c235u);
+    uint64_t low = wide_mulhi_u64(phi.lo, 0xc90fdaa22168c235u);
+    p.lo += low;
+    p.hi += p.lo < low;
+    /* to Q126: n - 1 more bits down than the top bit allows a signed number; n >= 9 unless phi is 0 */
+    *r = n == 0 ? (wide_t){0, 0} : wide_sar((wide_t){(int64_t)(p.hi >> 1), p.hi << 63 | p.lo >> 1}, n - 2);
+    if (sign < 0) *r = wide_neg(*r);
+    return k;
+}
+
+/* a = r + k pi/128 for a >= 2^-32, |r| <= 0.0126 in Q126; k modulo 256. */
+static uint32_t reduce(num_t a, wide_t *r) {
+    if (a.e + 62 >= 20) return reduce_large(a, r);
+    int n = -(a.e + 11); /* at least 32 */
+    int32_t a11 = (int32_t)(a.m >> (n < 63 ? n : 63));
+    int32_t k = (int32_t)(((int64_t)a11 * 1367130551 + ((int64_t)1 << 35)) >> 36); /* 128/pi in Q25 */
+    /* pi/128 in Q158 is 0x01921fb54442d184'69898cc51701b839'a252049c */
+    wide_t step = wide_mul_s64(k, 0x69898cc51701b839);
+    step.hi += k * (int64_t)0x01921fb54442d184;
+    step = wide_add(step, wide_from_s64(((int64_t)k * 0xa252049c) >> 32));
+    *r = wide_sub(wide_shl(wide_from_s64(a.m), a.e + 126), step);
+    return (uint32_t)k & 255;
+}
+
+/* sin r = r - r * u and cos r = 1 - c; u, c in Q74. */
+typedef struct small {
+    int64_t r; /* Q69 */
+    uint64_t u, c;
+} small_t;
+
+static small_t small_angle(wide_t r126) {
+    small_t s;
+    s.r = (int64_t)wide_sar(r126, 57).lo; /* below 2^62.7 */
+    uint64_t z = func_square(s.r);        /* Q74, below 2^61.4 */
+    uint64_t zh = z >> 30;                /* Q44, 32 bits */
+    /* u = z/6 - z^2 (1/120 - z/5040) */
+    uint64_t t = (zh * (2290649225u - ((zh * 54539267u) >> 44))) >> 32; /* Q38 -> Q50 */
+    s.u = wide_mulhi_u64(z, 0x2aaaaaaaaaaaaaabu) - ((t * zh) >> 20);
+    /* c = z/2 - z^2 (1/24 - z/720) */
+    t = (zh * (2863311531u - ((zh * 95443718u) >> 44))) >> 32; /* Q36 -> Q48 */
+    s.c = (z >> 1) - ((t * zh) >> 18);
+    return s;
+}
+
+/* sin(k pi/128 + r), or its negative when sign < 0. */
+static num_t sine_at(uint32_t k, wide_t r126, small_t s, int64_t sign) {
+    if (k & 128) sign = ~sign;
+    uint32_t j = k & 63;
+    if ((k & 127) == 0) { /* relative to r: a zero of the function may be near */
+        num_t r = num_from_wide(r126, 126);
+        r = num_fast_sub(r, num_fast_mul(r, num_from_fixed((int64_t)s.u, 74)));
+        return sign < 0 ? num_fast_neg(r) : r;
+    }
+    int64_t sr = s.r - (wide_mulhi_s64(s.r, (int64_t)s.u) >> 10); /* sin r, Q69 */
+    int64_t a = (int64_t)func_tables_sin[j], b = (int64_t)func_tables_sin[64 - j];
+    if (k & 64) { /* the second quadrant: cos(j pi/128 + r) */
+        int64_t swap = a;
+        a = b;
+        b = -swap;
+    }
+    int64_t small = wide_mulhi_s64(b, sr) - (wide_mulhi_s64(a, (int64_t)s.c) >> 5); /* Q67 */
+    return num_fast_normal((uint64_t)(a + ((small + 16) >> 5)), -62, sign);
+}
+
+/* Below 2^-32, sin a is a and cos a is 1 to 2^-64. */
+static bool is_tiny(num_t a) {
+    return a.e + 62 < -32;
+}
+
+num_t func_sin(num_t a) {
+    if (a.m == 0 || is_tiny(a)) return a;
+    wide_t r;
+    uint32_t k = reduce(num_abs(a), &r);
+    return sine_at(k, r, small_angle(r), a.m);
+}
+
+num_t func_cos(num_t a) {
+    if (a.m == 0 || is_tiny(a)) return a.undef ? a : num_from_i64(1);
+    wide_t r;
+    uint32_t k = reduce(num_abs(a), &r);
+    return sine_at(k + 64, r, small_angle(r), 0);
+}
+
+void func_sincos(num_t a, num_t *sine, num_t *cosine) {
+    *sine = a;
+    *cosine = num_from_i64(1);
+    if (a.m == 0 || is_tiny(a)) return;
+    wide_t r;
+    uint32_t k = reduce(num_abs(a), &r);
+    small_t s = small_angle(r);
+    *sine = sine_at(k, r, s, a.m);
+    *cosine = sine_at(k + 64, r, s, 0);
+}
+
+num_t func_tan(num_t a) {
+    num_t s, c;
+    func_sincos(a, &s, &c);
+    return num_div(s, c);
+}
