@@ -15,7 +15,8 @@ enum code_op {
     OP_INT8,             /* value: pushes a small integer */
     OP_INT64,            /* 8 bytes */
     OP_REAL,             /* significand in 8 bytes, exponent in 2 */
-    OP_ADD,              /* from here to OP_BOR: two operands, one result; the order is that of arith.c */
+    OP_REAL_SHORT, /* the upper 16 bits of the significand, the others being 0, and the exponent in 1 byte: 2.0, 0.25 */
+    OP_ADD,        /* from here to OP_BOR: two operands, one result; the order is that of arith.c */
     OP_SUB,
     OP_MUL,
     OP_DIV,
@@ -49,7 +50,7 @@ enum code_op {
     OP_CALL,  /* symbol, count of arguments: a user's function */
 };
 
-enum { CODE_JUMP_LEN = 3, CODE_REAL_LEN = 11 };
+enum { CODE_JUMP_LEN = 3, CODE_CONSTANT_MAX = 11 };
 
 /* Bytes of operands behind an operation. */
 static inline int code_operands(uint8_t op) {
@@ -58,6 +59,8 @@ static inline int code_operands(uint8_t op) {
         return 8;
     case OP_REAL:
         return 10;
+    case OP_REAL_SHORT:
+        return 3;
     case OP_JUMP:
     case OP_JZ:
     case OP_AND:
@@ -96,6 +99,9 @@ static inline value_t code_real(const uint8_t *p) {
     memcpy(&e, p + 8, 2);
     v.e = e;
     return v;
+}
+static inline num_t code_real_short(const uint8_t *p) {
+    return (num_t){(int64_t)((uint64_t)code_u16(p) << 48), code_int8(p + 2), false};
 }
 
 #endif

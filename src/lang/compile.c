@@ -50,6 +50,7 @@ typedef struct compiler {
     struct {
         uint16_t start; /* where its code starts */
         bool constant;
+        bool real;      /* cannot be an integer */
     } operand[TRACKED]; /* operand[i] for depth i + 1 */
 } compiler_t;
 
@@ -81,10 +82,11 @@ static int out_of_code(compiler_t *c, int32_t column) {
 }
 
 /* Declares that code from start to the end pushes one operand. */
-static void pushed(compiler_t *c, uint32_t start, bool constant) {
+static void pushed(compiler_t *c, uint32_t start, bool constant, bool real) {
     if (c->depth < TRACKED) {
         c->operand[c->depth].start = (uint16_t)start;
         c->operand[c->depth].constant = constant;
+        c->operand[c->depth].real = real;
     }
     c->depth++;
     if (c->depth > c->deepest) c->deepest = c->depth;
@@ -95,24 +97,59 @@ static bool is_constant(const compiler_t *c, int from_top) {
     return i < TRACKED && c->operand[i].constant;
 }
 
-static void push_constant(compiler_t *c, value_t v) {
-    uint32_t start = c->len;
+static bool is_real(const compiler_t *c, int from_top) {
+    int i = c->depth - 1 - from_top;
+    return i < TRACKED && c->operand[i].real;
+}
+
+static void emit_constant(compiler_t *c, value_t v) {
     if (v.kind == VALUE_INT && v.m >= -128 && v.m < 128) {
         emit2(c, OP_INT8, (int)v.m & 255);
     } else if (v.kind == VALUE_INT) {
         emit(c, OP_INT64);
         emit_bytes(c, &v.m, 8);
+    } else if (((uint64_t)v.m & 0xFFFFFFFFFFFF) == 0 && v.e >= -128 && v.e < 128) {
+        emit2(c, OP_REAL_SHORT, (int)(v.m >> 48) & 255);
+        emit2(c, (int)(v.m >> 56) & 255, v.e & 255);
     } else {
         int16_t e = (int16_t)v.e;
         emit(c, OP_REAL);
         emit_bytes(c, &v.m, 8);
         emit_bytes(c, &e, 2);
     }
-    pushed(c, start, true);
 }
 
-/* The operation just emitted takes the topmost n operands and leaves one; known: if they are, so is it. */
-static void operated(compiler_t *c, int n, bool known) {
+static void push_constant(compiler_t *c, value_t v) {
+    uint32_t start = c->len;
+    emit_constant(c, v);
+    pushed(c, start, true, v.kind == VALUE_REAL);
+}
+
+/* If one of the two topmost operands is an integer constant and the other surely real, makes the constant real now
+ * and not at each evaluation. */
+static void meet_real(compiler_t *c) {
+    int which = is_constant(c, 0) ? 0 : 1;
+    if (!is_constant(c, which) || is_real(c, which) || !is_real(c, 1 - which)) return;
+    uint8_t fresh[CODE_CONSTANT_MAX];
+    if (c->len + sizeof fresh > room(c)) return;
+    uint32_t start = c->operand[c->depth - 1 - which].start;
+    uint32_t end = which == 0 ? c->len : c->operand[c->depth - 1].start;
+    uint32_t behind = c->len - end;
+    const uint8_t *code = c->buf + start;
+    value_t v = code[0] == OP_INT8 ? value_int(code_int8(code + 1)) : code_int64(code + 1);
+    uint32_t scratch = c->len;
+    emit_constant(c, value_real(num_from_i64(v.m)));
+    uint32_t len = c->len - scratch;
+    memcpy(fresh, c->buf + scratch, len);
+    memmove(c->buf + start + len, c->buf + end, behind);
+    memcpy(c->buf + start, fresh, len);
+    c->len = start + len + behind;
+    if (which == 1) c->operand[c->depth - 1].start = (uint16_t)(start + len);
+}
+
+/* The operation just emitted takes the topmost n operands and leaves one; known: if they are constant, so is it.
+ * real: the result cannot be an integer. */
+static void operated(compiler_t *c, int n, bool known, bool real) {
     for (int i = 0; i < n; i++) known = known && is_constant(c, i);
     c->depth -= n;
     uint32_t start = c->depth < TRACKED ? c->operand[c->depth].start : 0;
@@ -126,7 +163,7 @@ static void operated(compiler_t *c, int n, bool known) {
             return;
         }
     }
-    pushed(c, start, false);
+    pushed(c, start, false, real);
 }
 
 /* A power whose exponent is a small constant needs no second operand. */
@@ -142,7 +179,7 @@ static bool emit_small_power(compiler_t *c) {
     else
         emit2(c, OP_POWI, k & 255);
     c->depth--;
-    operated(c, 1, true);
+    operated(c, 1, true, is_real(c, 0));
     return true;
 }
 
@@ -188,25 +225,26 @@ static void reduce_one(compiler_t *c) {
     switch (p.kind) {
     case P_BINARY:
         if (p.a == OP_POW && emit_small_power(c)) break;
+        if (p.a <= OP_DIV || (p.a >= OP_LT && p.a <= OP_NE)) meet_real(c);
         emit(c, p.a);
-        operated(c, 2, true);
+        operated(c, 2, true, (p.a <= OP_DIV || p.a == OP_POW) && (is_real(c, 0) || is_real(c, 1)));
         break;
     case P_PREFIX:
         emit(c, p.a);
-        operated(c, 1, true);
+        operated(c, 1, true, p.a == OP_NEG && is_real(c, 0));
         break;
     case P_LOGIC:
         emit(c, OP_BOOL);
         patch(c, p.at);
-        operated(c, 1, false);
+        operated(c, 1, false, false);
         break;
     case P_SET:
         emit2(c, OP_SET, p.a);
-        operated(c, 1, false);
+        operated(c, 1, false, false);
         break;
     default: /* P_ELSE */
         patch(c, p.at);
-        operated(c, 1, false);
+        operated(c, 1, false, false);
         break;
     }
 }
@@ -268,7 +306,7 @@ static int name(compiler_t *c) {
     uint32_t start = c->len;
     if (p >= 0) {
         emit(c, OP_ARG + p);
-        pushed(c, start, false);
+        pushed(c, start, false, !c->params->any_kind);
         return 1;
     }
     int s = names_intern(c->l, SYMBOL_VARIABLE, text, len, column, c->err);
@@ -278,7 +316,7 @@ static int name(compiler_t *c) {
         return open_new(c, P_SET, s, 0);
     }
     emit2(c, OP_VAR, s);
-    pushed(c, start, false);
+    pushed(c, start, false, false);
     return 1;
 }
 
@@ -291,7 +329,7 @@ static int dollar(compiler_t *c) {
     push_constant(c, t->value);
     emit(c, OP_FUNC);
     emit2(c, builtins_find("column", 6), 1);
-    operated(c, 1, false);
+    operated(c, 1, false, false);
     c->columns = true;
     lexer_next(c->lx);
     return 1;
@@ -396,7 +434,7 @@ static int close_call(compiler_t *c, pending_t p) {
         emit(c, OP_FUNC);
         emit2(c, p.a, p.at);
     }
-    operated(c, p.at, builtin && !(b->flags & BUILTIN_IMPURE));
+    operated(c, p.at, builtin && !(b->flags & BUILTIN_IMPURE), builtin && b->real1);
     return 0;
 }
 
@@ -423,7 +461,7 @@ static int behind_operand(compiler_t *c) {
         c->depth--;
     } else if (token == '!') {
         emit(c, OP_FACT);
-        operated(c, 1, true);
+        operated(c, 1, true, false);
         r = 1;
     } else if (token == ':' && in && in->kind == P_THEN) {
         reduce(c, LOOSE);

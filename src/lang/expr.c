@@ -89,6 +89,7 @@ int expr_integer(lang_t *l, lexer_t *lx, int32_t lo, int32_t hi, int32_t *out, l
 static int parameter_list(lexer_t *lx, expr_params_t *params, lang_error_t *err) {
     bool too_many = false;
     params->count = 0;
+    params->any_kind = true;
     do {
         lexer_next(lx);
         if (lx->tok.kind != TOKEN_NAME || lx->tok.len > UINT8_MAX) return 0;

@@ -27,6 +27,7 @@ typedef struct expr_params {
         const char *text;
         uint8_t len;
     } name[EXPR_PARAMS];
+    bool any_kind; /* arguments may be integers too: those of a user's function */
 } expr_params_t;
 
 /* A compiled expression. The code bytes belong to the caller and must stay where they are. */
@@ -40,9 +41,9 @@ typedef struct expr {
 
 /* Compiles the expression that starts at the current token of lx, and leaves lx at the first token that does not
  * belong to it. params may be NULL: none. The code goes to buf; a byte of code for each operator, 2 for
- * a name or small integer, 11 for another constant; exp(-x**2-y**2) takes 12. Constant parts are computed now.
- * Returns 0, or with *err filled ERR_SYNTAX, ERR_NAME (a function that is neither built in nor called as user functions
- * are), ERR_FULL. */
+ * a name or small integer, 4 for a short real as 0.25, 11 for another constant; exp(-x**2-y**2) takes 9. Constant parts
+ * are computed now. Returns 0, or with *err filled ERR_SYNTAX, ERR_NAME (a function that is neither built in nor called
+ * as user functions are), ERR_FULL. */
 int expr_compile(lang_t *l, lexer_t *lx, const expr_params_t *params, uint8_t *buf, size_t size, expr_t *out,
                  lang_error_t *err);
 

@@ -3,8 +3,8 @@
  * As in gnuplot, integers are 64 bits wide and stay integers under + - * / % ** and the bit operators; a
  * result that does not fit becomes real. VALUE_UNDEF stands for gnuplot's NaN and for every undefined result.
  *
- * Layout: a real value has exactly the bytes of its num_t (kind takes the place of num_t's undef flag), so that the
- * evaluator moves results without converting them; value.c asserts it. 16 bytes. */
+ * 16 bytes. A real value holds its num_t field for field (VALUE_UNDEF being num_t's undef).
+ */
 #ifndef VALUE_H
 #define VALUE_H
 
@@ -32,16 +32,12 @@ static inline value_t value_undef(void) {
 }
 /* An undefined number becomes VALUE_UNDEF. */
 static inline value_t value_real(num_t n) {
-    value_t v;
-    memcpy(&v, &n, sizeof v);
-    return v;
+    return (value_t){n.m, n.e, n.undef};
 }
 /* The real number that v stands for: an integer is converted, nothing stays undefined. */
 static inline num_t value_num(value_t v) {
-    num_t n;
     if (v.kind == VALUE_INT) return num_from_i64(v.m);
-    memcpy(&n, &v, sizeof n);
-    return n;
+    return (num_t){v.m, v.e, v.kind == VALUE_UNDEF};
 }
 
 /* Writes v as gnuplot's `print` does, ended by a zero: integers in decimal, reals by %.15g with ".0" added when there

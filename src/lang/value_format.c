@@ -1,9 +1,7 @@
 /* value_format.c - numbers as gnuplot prints them: %.15g, and ".0" where a real would look like an integer. */
 #include "lang/value.h"
 
-_Static_assert(sizeof(value_t) == 16 && sizeof(num_t) == 16, "a value is moved as two words");
-_Static_assert(offsetof(value_t, kind) == offsetof(num_t, undef) && offsetof(value_t, e) == offsetof(num_t, e),
-               "a real value has the bytes of its number");
+_Static_assert(VALUE_UNDEF == true, "value_real stores the flag of an undefined number as its kind");
 
 enum { DIGITS = 15 };
 
