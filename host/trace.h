@@ -3,6 +3,7 @@
 #define TRACE_H
 
 #include "motion/machine.h"
+#include "view/page.h"
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -19,9 +20,10 @@ typedef struct trace {
     size_t count;
     uint8_t initial;   /* pins before the first event */
     uint64_t end_ps;   /* last time in the file */
-    uint64_t unit_ps;  /* the file's timescale (fs are rounded up to 1 ps) */
+    uint64_t unit_ps;  /* the file's timescale (1 when it is below a picosecond) */
     machine_t machine; /* from the file's $comment, otherwise the defaults */
     bool has_machine;
+    bool has_pen, has_enable; /* the file has such a signal; otherwise it stays 0 */
 } trace_t;
 
 typedef struct trace_error {
@@ -40,42 +42,65 @@ void trace_free(trace_t *t);
 typedef struct trace_axis_judgement {
     uint64_t steps;
     int64_t end_steps, min_steps, max_steps;
-    uint64_t min_pulse_ps, max_pulse_ps, min_setup_ps, min_interval_ps; /* UINT64_MAX when there was none */
+    uint64_t min_pulse_ps, max_pulse_ps; /* 0 when there was none */
+    uint64_t min_setup_ps;               /* from a change of DIR to the next pulse; 0 when there was none */
+    uint64_t min_interval_ps;            /* between the beginnings of two pulses; 0 when there was none */
+    double max_jump_mm_s;                /* speed change from one step to the next in the same direction */
 } trace_axis_judgement_t;
 
 typedef struct trace_judgement {
     trace_axis_judgement_t axis[2];
-    double duration_s, down_s; /* whole; pen down */
-    double down_mm, up_mm;
+    double duration_s;     /* first to last change of a pin */
+    double down_s;         /* of that, with the pen down */
+    double down_mm, up_mm; /* along the steps' smoothed path */
     unsigned long lifts;
-    double max_speed_down, max_speed_up; /* mm/s along the path */
-    double max_accel;                    /* mm/s^2, see docs/TRACE.md for how it is estimated */
-    double max_jump;                     /* mm/s between successive steps of one axis in one direction */
-    double shortest_settle_lift_s, shortest_settle_lower_s;
-    unsigned long moved_unsettled; /* steps while the pen was settling */
-    unsigned long moved_disabled;  /* steps with the motors off */
-    unsigned long short_pulses, short_setups, short_intervals;
-    bool ends_home, ends_pen_up, ends_disabled;
-    bool legal; /* all of the above within the machine's numbers */
+    double max_speed_down, max_speed_up; /* mm/s over TRACE_WINDOW_S */
+    double max_accel;                    /* mm/s^2, second difference of the position over TRACE_WINDOW_S */
+    double max_accel_at_s;
+    double settle_lift_s, settle_lower_s; /* shortest time from the pen's change to the next step; 0: none */
+    unsigned long unsettled;              /* steps while the pen was settling */
+    unsigned long disabled;               /* steps with the motors off */
+    unsigned long short_pulses, short_setups;
+    unsigned long turned_high; /* changes of DIR during a pulse */
+    bool has_pen, has_enable;
+    bool ends_home, ends_up, ends_disabled;
+    bool speed_ok, accel_ok;
+    bool legal; /* nothing of it is against the machine's numbers */
 } trace_judgement_t;
 
-/* Judges t by m (which need not be t->machine). */
-void trace_judge(const trace_t *t, const machine_t *m, trace_judgement_t *out);
+/* What acceleration a path may show: along and across the path at once is sqrt(2), a junction deviates a little. */
+#define TRACE_ACCEL_FACTOR 1.6
+#define TRACE_SPEED_FACTOR 1.02
+#define TRACE_WINDOW_S 0.02
+/* Times are compared with this much grace, for traces in units coarser than a tick. */
+#define TRACE_GRACE_PS 100000
+
+/* Judges t by m (which need not be t->machine). Returns 0, ERR_FULL (no memory). */
+int trace_judge(const trace_t *t, const machine_t *m, trace_judgement_t *out);
 /* Prints a judgement for people: one line per finding, illegal ones begin with `! `. */
 void trace_print(const trace_judgement_t *j, const machine_t *m, FILE *out);
 
 typedef struct trace_difference {
     bool same_sequence;
-    size_t compared;        /* events found equal in sequence */
+    size_t compared;        /* pin changes found equal in sequence */
     double max_us, mean_us; /* time differences over them */
-    size_t first;           /* index of the first event that differs (sequence) or of the largest difference */
+    size_t worst;           /* the change with the largest difference */
+    /* The first change that differs, or else the worst: its number in both, and where in the events to look. */
+    size_t at, event_a, event_b;
 } trace_difference_t;
 
-/* Compares the sequences of pin changes and their times (each from its first change of a pin). Two pins that change at
- * one time in a and one after the other in b are the same when no more than tolerance_us lies between. */
-void trace_compare(const trace_t *a, const trace_t *b, double tolerance_us, trace_difference_t *out);
+/* Compares the sequences of pin changes and their times (each trace's from its own first change). Changes that one
+ * trace has in another order than the other are the same as long as they lie within tolerance_us of each other; those
+ * of one pin never change their order. Returns 0, ERR_FULL (no memory). */
+int trace_compare(const trace_t *a, const trace_t *b, double tolerance_us, trace_difference_t *out);
+void trace_print_difference(const trace_t *a, const trace_t *b, const trace_difference_t *d, FILE *out);
 
-/* Draws the ink (pen down) as SVG, or PNG when the name ends in .png. Returns 0, ERR_FILE. */
+/* The ink of a trace, as strokes in page coordinates: every point lies within TRACE_INK_STEPS steps of where the
+ * steps put the pen, and points that a straight line explains are left out. Returns 0 or the sink's error. */
+#define TRACE_INK_STEPS 0.75
+int trace_ink(const trace_t *t, const machine_t *m, pen_sink_t sink);
+/* Writes the ink to a file whose suffix says the format (host/writer.h); the paper is the box around it, and A4 at
+ * least. Returns 0, ERR_FILE, ERR_VALUE (unknown suffix). */
 int trace_draw(const trace_t *t, const machine_t *m, const char *name);
 
 /* The command: argv[0] is "trace". Returns the exit status: 0 legal or equal, 1 illegal or different, 2 bad input. */
