@@ -1,9 +1,10 @@
 /* grid.h - a surface's heights as 32-bit integers of one scale (block scaling).
  *
  * One pass over the surface finds the range of its heights; then every height is
- *     z = z_origin + zi * 2^z_exp,   |zi| <= 2^30,
- * so one unit is the range times 2^-31 or less: five orders below a step on A4. If the caller lends cache
+ *     z = z_origin + zi * 2^z_exp,   |zi| <= 2^30,   rounded down,
+ * so one unit is the range times 2^-29 or less: four orders below a step on A4. If the caller lends cache
  * memory for nx * ny heights, each point is evaluated once; otherwise rows are evaluated again when asked for.
+ * Both give the same integers.
  * Points outside [zlo, zhi] (`set zrange`) are holes, as in gnuplot. */
 #ifndef GRID_H
 #define GRID_H
@@ -15,7 +16,7 @@ typedef struct grid {
     const surface_t *src;
     int32_t nx, ny;
     num_t z_min, z_max;   /* measured range of the defined points that are inside the limits */
-    num_t z_origin;       /* middle of the range */
+    num_t z_origin;       /* the first defined point, counting along rows from (0, 0) */
     int16_t z_exp;        /* see above */
     bool has_lo, has_hi;  /* is there a `set zrange` limit */
     num_t z_lo, z_hi;

@@ -1,0 +1,264 @@
+/* envelope.c - clip one edge against a horizon and raise it: the kernel under perimeter and horizon.
+ *
+ * The edge walks to the right over the pieces of the horizon. At each vertex one sign is asked for: is the edge
+ * above it? Comparing ordinates answers most of the time, an orientation the rest. Where two neighbouring signs
+ * differ there is one crossing. Vertices below the edge are dropped, those above it move to the left stack.
+ *
+ * Signs have a dead zone of ENVELOPE_NOISE units in which "above" is denied. Where a visible part begins or ends
+ * at a vertex inside the dead zone it takes that vertex as it is: no crossing is computed, and edges that meet in
+ * a vertex leave neither slivers nor steps behind. */
+#include "hidden/envelope.h"
+#include "error.h"
+
+_Static_assert(2 * (31 + 31) + 2 <= 2 * 63, "an orientation is the difference of two 62-bit products");
+
+#define ONE_Q30 (INT32_C(1) << 30)
+
+/* Room for the vertices that one step of a clip may add: foot, start, end, and the far side of a jump. */
+#define STEP_ROOM 4
+
+static inline int32_t abs32(int32_t v) { return v < 0 ? -v : v; }
+static inline int32_t max32(int32_t a, int32_t b) { return a > b ? a : b; }
+static inline int32_t min32(int32_t a, int32_t b) { return a < b ? a : b; }
+
+int envelope_init(envelope_t *upper, envelope_t *lower, envelope_point_t *pool, size_t count) {
+    envelope_t *both[2] = {upper, lower};
+    size_t each = lower == NULL ? count : count / 2;
+    if (each < 2 + STEP_ROOM) return ERR_FULL;
+    for (int k = 0; k < 2 && both[k] != NULL; k++) {
+        envelope_t *h = both[k];
+        h->base = pool + (k == 0 ? 0 : each);
+        h->end = k == 0 ? pool + each : pool + count;
+        h->base[0] = (envelope_point_t){-ENVELOPE_LIMIT, ENVELOPE_FLOOR};
+        h->end[-1] = (envelope_point_t){ENVELOPE_LIMIT, ENVELOPE_FLOOR};
+        h->l = h->base + 1;
+        h->r = h->end - 1;
+        h->peer = both[1 - k];
+        h->peak = 2;
+    }
+    return 0;
+}
+
+static void move_block(envelope_point_t *from, envelope_point_t *end, ptrdiff_t by) {
+    if (by > 0) {
+        for (envelope_point_t *p = end; p != from;) {
+            p--;
+            p[by] = *p;
+        }
+    } else {
+        for (envelope_point_t *p = from; p != end; p++) p[by] = *p;
+    }
+}
+
+/* Makes room for `need` vertices in h's gap, from its peer's. Only pointers of the two horizons move. */
+static int grow(envelope_t *h, ptrdiff_t need) {
+    envelope_t *o = h->peer;
+    if (o == NULL) return ERR_FULL;
+    ptrdiff_t take = (o->r - o->l) / 2;
+    if (h->r - h->l + take < need) return ERR_FULL;
+    if (h->base < o->base) { /* what lies between the gaps: h's right stack and the peer's left one */
+        move_block(h->r, o->l, take);
+        h->r += take, h->end += take, o->base += take, o->l += take;
+    } else {
+        move_block(o->r, h->l, -take);
+        o->r -= take, o->end -= take, h->base -= take, h->l -= take;
+    }
+    return 0;
+}
+
+static inline int room(envelope_t *h) { return h->r - h->l >= STEP_ROOM ? 0 : grow(h, STEP_ROOM); }
+
+/* Appends a vertex to the left stack. Of three with equal a the middle one goes: a jump has two ends. */
+static inline void push(envelope_t *h, int32_t a, int32_t w) {
+    if (h->l[-1].a == a) {
+        if (h->l[-1].w == w) return;
+        if (h->l[-2].a == a) {
+            h->l[-1].w = w;
+            if (h->l[-2].w == w) h->l--;
+            return;
+        }
+    }
+    *h->l++ = (envelope_point_t){a, w};
+}
+
+/* Moves the gap so that everything up to and including a is on its left. */
+static inline void seek(envelope_t *h, int32_t a) {
+    envelope_point_t *l = h->l, *r = h->r;
+    while (r->a <= a) *l++ = *r++;
+    while (l[-1].a > a) *--r = *--l;
+    h->l = l;
+    h->r = r;
+}
+
+uint32_t envelope_fraction(uint64_t num, uint64_t den) {
+    while (den >> 32 != 0) {
+        num >>= 8;
+        den >>= 8;
+    }
+    /* num < 2^32 and the quotient is at most 2^30 */
+    return den == 0 ? 0 : (uint32_t)((num << 30) / den);
+}
+
+/* Nearest to x + d * t. */
+static inline int32_t along(int32_t x, int32_t d, int32_t t_q30) {
+    return x + (int32_t)(((int64_t)d * t_q30 + (1 << 29)) >> 30);
+}
+
+/* The ordinate at abscissa a of the line p-q, p.a <= a <= q.a, p.a < q.a. */
+static int32_t ordinate(envelope_point_t p, envelope_point_t q, int32_t a) {
+    if (a == p.a) return p.w;
+    if (a == q.a) return q.w;
+    uint32_t rise = (uint32_t)abs32(q.w - p.w), run = (uint32_t)(q.a - p.a);
+    int32_t part = (int32_t)(((uint64_t)rise * (uint32_t)(a - p.a) + run / 2) / run);
+    return q.w < p.w ? p.w - part : p.w + part;
+}
+
+/* Where x lies on the edge p-q, measured along its longer side. */
+static int32_t fraction_at(envelope_point_t p, envelope_point_t q, envelope_point_t x) {
+    int32_t run = q.a - p.a, rise = q.w - p.w;
+    int32_t whole = run, part = x.a - p.a;
+    if (abs32(rise) > run) {
+        whole = abs32(rise);
+        part = rise < 0 ? p.w - x.w : x.w - p.w;
+    }
+    if (part <= 0) return 0;
+    if (part >= whole) return ONE_Q30;
+    return (int32_t)envelope_fraction((uint64_t)part, (uint64_t)whole);
+}
+
+/* How far q is above the line p0-p1 allows for noise: exact sign against the dead zone. */
+static inline int64_t dead_zone(envelope_point_t p, envelope_point_t q) {
+    return (int64_t)max32(q.a - p.a, abs32(q.w - p.w)) * ENVELOPE_NOISE;
+}
+
+/* Is x, which lies above or below the line p-q, more than noise below it? */
+static inline bool is_below(envelope_point_t p, envelope_point_t q, envelope_point_t x, envelope_count_t *count) {
+    if (x.w >= max32(p.w, q.w)) return false;
+    if (x.w + ENVELOPE_NOISE < min32(p.w, q.w)) return true;
+    count->tests++;
+    return -envelope_orient(p, q, x) > dead_zone(p, q);
+}
+
+static inline bool is_above(envelope_point_t p, envelope_point_t q, envelope_point_t x, envelope_count_t *count) {
+    if (x.w <= min32(p.w, q.w)) return false;
+    if (x.w - ENVELOPE_NOISE > max32(p.w, q.w)) return true;
+    count->tests++;
+    return envelope_orient(p, q, x) > dead_zone(p, q);
+}
+
+/* The crossing of the edge p-q with the piece v-w, rounded, inside both ranges of a. */
+static envelope_point_t crossing(envelope_point_t p, envelope_point_t q, envelope_point_t v, envelope_point_t w,
+                                 envelope_count_t *count) {
+    int64_t ov = envelope_orient(p, q, v), ow = envelope_orient(p, q, w);
+    uint64_t nv = ov < 0 ? 0 - (uint64_t)ov : (uint64_t)ov, nw = ow < 0 ? 0 - (uint64_t)ow : (uint64_t)ow;
+    int32_t t = 0;
+    count->crossings++;
+    if ((ov < 0) == (ow < 0)) { /* one of them is in the dead zone: the nearer one is where they part */
+        t = nv <= nw ? 0 : ONE_Q30;
+    } else {
+        t = (int32_t)envelope_fraction(nv >> 1, (nv >> 1) + (nw >> 1));
+    }
+    envelope_point_t x = {along(v.a, w.a - v.a, t), along(v.w, w.w - v.w, t)};
+    if (x.a <= p.a) return p;
+    if (x.a >= q.a) return q;
+    return x;
+}
+
+/* The state of one clip. */
+typedef struct clip {
+    envelope_t *h;
+    envelope_point_t p, q;
+    int32_t from_q30; /* start of the visible part */
+    bool visible, any;
+} clip_t;
+
+static inline void begin(clip_t *c, int32_t at_q30) {
+    c->visible = c->any = true;
+    c->from_q30 = at_q30;
+}
+
+static inline int finish(clip_t *c, int32_t at_q30, envelope_take_t take, void *ctx) {
+    c->visible = false;
+    if (take == NULL || at_q30 <= c->from_q30) return 0;
+    return take(ctx, (envelope_part_t){c->from_q30, at_q30});
+}
+
+int envelope_clip(envelope_t *h, envelope_point_t p, envelope_point_t q, envelope_take_t take, void *ctx,
+                  envelope_count_t *count) {
+    clip_t c = {.h = h, .p = p, .q = q};
+    seek(h, p.a);
+    int err = room(h);
+    if (err != 0) return err;
+    envelope_point_t v = h->l[-1]; /* start of the current piece; v.a <= the current abscissa */
+    if (v.a == p.a ? is_below(p, q, v, count) : is_above(v, *h->r, p, count)) {
+        if (v.a < p.a) push(h, p.a, ordinate(v, *h->r, p.a));
+        push(h, p.a, p.w);
+        begin(&c, 0);
+    }
+    for (;;) {
+        envelope_point_t w = *h->r;
+        bool last = w.a > q.a;
+        bool above = last ? is_above(v, w, q, count) : is_below(p, q, w, count);
+        if (above != c.visible) {
+            if ((err = room(h)) != 0) return err;
+            envelope_point_t x = crossing(p, q, v, w, count);
+            int32_t at = fraction_at(p, q, x);
+            if (c.visible) {
+                if (last && x.a == q.a) at = ONE_Q30;
+                if ((err = finish(&c, at, take, ctx)) != 0) return err;
+            } else {
+                begin(&c, at);
+            }
+            push(h, x.a, x.w);
+        }
+        if (last) {
+            if (c.visible) {
+                push(h, q.a, q.w);
+                push(h, q.a, ordinate(v, w, q.a));
+                if ((err = finish(&c, ONE_Q30, take, ctx)) != 0) return err;
+            }
+            break;
+        }
+        h->r++;
+        if (!c.visible) push(h, w.a, w.w);
+        v = w;
+        if (h->r->a == w.a) { /* a jump */
+            envelope_point_t far = *h->r;
+            if ((err = room(h)) != 0) return err;
+            above = is_below(p, q, far, count);
+            if (above != c.visible) {
+                envelope_point_t x = {w.a, ordinate(p, q, w.a)};
+                int32_t at = fraction_at(p, q, x);
+                push(h, x.a, x.w);
+                if (c.visible) {
+                    if ((err = finish(&c, at, take, ctx)) != 0) return err;
+                } else {
+                    begin(&c, at);
+                }
+            }
+            h->r++;
+            if (!c.visible) push(h, far.a, far.w);
+            v = far;
+        }
+        if (w.a == q.a) {
+            if (c.visible) {
+                push(h, q.a, q.w);
+                push(h, v.a, v.w);
+                if ((err = finish(&c, ONE_Q30, take, ctx)) != 0) return err;
+            }
+            break;
+        }
+    }
+    if (c.any) h->peak = max32(h->peak, envelope_size(h));
+    return c.any;
+}
+
+int32_t envelope_height(envelope_t *h, int32_t a_lo, int32_t a_hi) {
+    seek(h, a_lo - 1);
+    int32_t top = ordinate(h->l[-1], *h->r, a_lo);
+    const envelope_point_t *p = h->r;
+    for (; p->a <= a_hi; p++) top = max32(top, p->w);
+    const envelope_point_t *before = p == h->r ? h->l - 1 : p - 1;
+    if (before->a < a_hi) top = max32(top, ordinate(*before, *p, a_hi));
+    return top;
+}

@@ -1,0 +1,78 @@
+/* envelope.h - a horizon: a polyline over the abscissa a of a chart, raised by whatever rises above it.
+ *
+ *      w |        .-*              *  vertex, 8 bytes, no links: the vertices lie in a gap buffer,
+ *        |   *---*   |                two stacks that face each other; the gap is where the last clip ended.
+ *        |   |       *-----*       |  two vertices of equal a: a jump
+ *        +---*-------------*---- a    the floor is ENVELOPE_FLOOR, below everything
+ *
+ * A sweep over a surface moves along the horizon by a vertex or two at a time, and so does the gap. The two
+ * horizons of a scene share one pool of vertices; the one that runs out of room takes half of the other's. The lower
+ * horizon is the same thing with w negated.
+ *
+ * Bit budget: |a|, |w| < 2^30, so differences take 31 bits and sign, products 62, and an orientation (the difference
+ * of two products) 63 and sign. Every sign is exact.
+ * Error: a vertex is rounded once, when the crossing that makes it is found, to the nearest lattice point: at most
+ * 0.71 units off both lines. A line cut k times along its way ends at most 0.71 k units off. Lines closer than
+ * ENVELOPE_NOISE units count as coincident, and what coincides is hidden: whatever was drawn first wins. */
+#ifndef ENVELOPE_H
+#define ENVELOPE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define ENVELOPE_LIMIT ((INT32_C(1) << 30) - 1) /* |a|, |w| of everything clipped is less by ENVELOPE_NOISE */
+#define ENVELOPE_FLOOR (-ENVELOPE_LIMIT)
+#define ENVELOPE_NOISE 4 /* two lines through vertices that are a unit off each, and a crossing on each */
+
+typedef struct envelope_point {
+    int32_t a, w;
+} envelope_point_t;
+
+/* A horizon: [base, l) ascending, then the gap, then [r, end) ascending. */
+typedef struct envelope {
+    envelope_point_t *base, *l, *r, *end;
+    struct envelope *peer; /* shares the pool, or NULL */
+    int32_t peak;          /* most vertices so far */
+} envelope_t;
+
+/* An interval of an edge, as fractions of its way in the chart from its left to its right end. */
+typedef struct envelope_part {
+    int32_t from_q30, to_q30;
+} envelope_part_t;
+
+typedef struct envelope_count {
+    int64_t tests, crossings;
+} envelope_count_t;
+
+/* Takes visible parts from left to right. Returns 0 or an error that ends the clip. */
+typedef int (*envelope_take_t)(void *ctx, envelope_part_t part);
+
+/* Makes an empty upper horizon, and a lower one unless lower is NULL, in pool[0..count). count >= 16.
+ * Returns 0 or ERR_FULL when count is too small. */
+int envelope_init(envelope_t *upper, envelope_t *lower, envelope_point_t *pool, size_t count);
+
+/* Clips the edge p-q, p.a < q.a, against h: gives what is above to take (may be NULL: nobody is interested), and
+ * raises h by it. Returns 1 if any of it was above, 0 if none, ERR_FULL, or take's error.
+ * Cost: the vertices of h between the end of the last clip and q; two products per sign that comparing does not
+ * decide, two divisions per crossing. */
+int envelope_clip(envelope_t *h, envelope_point_t p, envelope_point_t q, envelope_take_t take, void *ctx,
+                  envelope_count_t *count);
+
+/* The height of h at abscissa a: of its limits from left and right, and of all between a_lo and a_hi, the highest. */
+int32_t envelope_height(envelope_t *h, int32_t a_lo, int32_t a_hi);
+
+/* Vertices of h, the two that carry the floor included. */
+static inline int32_t envelope_size(const envelope_t *h) { return (int32_t)((h->l - h->base) + (h->end - h->r)); }
+
+/* Twice the signed area of the triangle o, p, q: positive if q is above the line from o to p (o.a < p.a). */
+static inline int64_t envelope_orient(envelope_point_t o, envelope_point_t p, envelope_point_t q) {
+    return (int64_t)(p.a - o.a) * (q.w - o.w) - (int64_t)(p.w - o.w) * (q.a - o.a);
+}
+
+static inline bool envelope_same(envelope_point_t p, envelope_point_t q) { return p.a == q.a && p.w == q.w; }
+
+/* num / den rounded down, as q30; 0 <= num <= den, den > 0. */
+uint32_t envelope_fraction(uint64_t num, uint64_t den);
+
+#endif

@@ -1,0 +1,109 @@
+/* grid.c - heights as block-scaled integers.
+ *
+ * The scale must be the same whether the heights are cached or evaluated again, or a part with more memory would
+ * draw another picture. Heights are therefore counted from the first defined point, which is known before any
+ * other, and rounded down: rounding down commutes with a later halving of the scale, so the cache can start fine
+ * and be coarsened in place whenever a height does not fit, and ends with the very numbers a second evaluation
+ * gives. */
+#include "scene/grid.h"
+#include "error.h"
+
+#define GRID_HOLE INT32_MIN
+#define Z_BITS 30 /* |zi| <= 2^30: sums and differences of two heights fit int32_t */
+
+_Static_assert(Z_BITS + 1 < 32, "a difference of two heights must fit int32_t");
+
+/* Units in which d fits: the smallest e with |d| < 2^(Z_BITS) * 2^e, or INT16_MIN for zero. */
+static int32_t exponent_of(num_t d) {
+    /* |m| < 2^63, so |d| < 2^(63 + e) */
+    return d.m == 0 ? INT16_MIN : d.e + 63 - Z_BITS;
+}
+
+/* floor(d / 2^exp), for exp >= exponent_of(d). */
+static int32_t units(num_t d, int32_t exp) {
+    int32_t shift = exp - d.e;
+    if (shift > 63) shift = 63;
+    return (int32_t)(d.m >> shift);
+}
+
+static num_t evaluate(grid_t *g, int32_t i, int32_t j) {
+    g->evaluated++;
+    num_t z = g->src->z_of(g->src->ctx, i, j);
+    if (z.undef || (g->has_lo && num_cmp(z, g->z_lo) < 0) || (g->has_hi && num_cmp(z, g->z_hi) > 0)) {
+        return num_undef();
+    }
+    return z;
+}
+
+static void coarsen(int32_t *cache, int64_t count, int32_t by) {
+    if (by > 31) by = 31;
+    for (int64_t k = 0; k < count; k++) {
+        if (cache[k] != GRID_HOLE) cache[k] >>= by;
+    }
+}
+
+int grid_measure(grid_t *g, const surface_t *src, const num_t *lo, const num_t *hi, int32_t *cache,
+                 void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx) {
+    bool any = false;
+    int32_t exp = INT16_MIN;
+    *g = (grid_t){.src = src, .nx = src->nx, .ny = src->ny, .cache = NULL, .has_lo = lo != NULL, .has_hi = hi != NULL};
+    if (lo != NULL) g->z_lo = *lo;
+    if (hi != NULL) g->z_hi = *hi;
+    for (int32_t j = 0; j < g->ny; j++) {
+        for (int32_t i = 0; i < g->nx; i++) {
+            int64_t at = (int64_t)j * g->nx + i;
+            num_t z = evaluate(g, i, j);
+            if (z.undef) {
+                g->holes++;
+                if (cache != NULL) cache[at] = GRID_HOLE;
+                continue;
+            }
+            if (!any) {
+                any = true;
+                g->z_min = g->z_max = g->z_origin = z;
+            } else if (num_cmp(z, g->z_min) < 0) {
+                g->z_min = z;
+            } else if (num_cmp(z, g->z_max) > 0) {
+                g->z_max = z;
+            }
+            num_t d = num_sub(z, g->z_origin);
+            int32_t need = exponent_of(d);
+            if (need > exp) {
+                if (cache != NULL && exp != INT16_MIN) coarsen(cache, at, need - exp);
+                exp = need;
+            }
+            if (cache != NULL) cache[at] = units(d, exp);
+        }
+        if (tick != NULL) tick(tick_ctx, j + 1, g->ny);
+    }
+    if (!any) return ERR_EMPTY;
+    g->z_exp = (int16_t)(exp == INT16_MIN ? 0 : exp);
+    g->cache = cache;
+    return 0;
+}
+
+static bool height(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
+    if (g->cache != NULL) {
+        *zi = g->cache[(int64_t)j * g->nx + i];
+        return *zi != GRID_HOLE;
+    }
+    num_t z = evaluate(g, i, j);
+    if (z.undef) return false;
+    *zi = units(num_sub(z, g->z_origin), g->z_exp);
+    return true;
+}
+
+int32_t grid_row(grid_t *g, int32_t j, int32_t *zi, uint8_t *hole) {
+    int32_t holes = 0;
+    for (int32_t i = 0; i < g->nx; i++) {
+        bool defined = height(g, i, j, &zi[i]);
+        if (!defined) {
+            zi[i] = 0;
+            holes++;
+        }
+        if (hole != NULL) hole[i] = !defined;
+    }
+    return holes;
+}
+
+bool grid_height(grid_t *g, int32_t i, int32_t j, int32_t *zi) { return height(g, i, j, zi); }
