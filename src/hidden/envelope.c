@@ -17,11 +17,17 @@ _Static_assert(2 * (31 + 31) + 2 <= 2 * 63, "an orientation is the difference of
 /* Room for the vertices that one step of a clip may add: foot, start, end, and the far side of a jump. */
 #define STEP_ROOM 4
 
-static inline int32_t abs32(int32_t v) { return v < 0 ? -v : v; }
-static inline int32_t max32(int32_t a, int32_t b) { return a > b ? a : b; }
-static inline int32_t min32(int32_t a, int32_t b) { return a < b ? a : b; }
+static inline int32_t abs32(int32_t v) {
+    return v < 0 ? -v : v;
+}
+static inline int32_t max32(int32_t a, int32_t b) {
+    return a > b ? a : b;
+}
+static inline int32_t min32(int32_t a, int32_t b) {
+    return a < b ? a : b;
+}
 
-int envelope_init(envelope_t *upper, envelope_t *lower, envelope_point_t *pool, size_t count) {
+int envelope_init(envelope_t *upper, envelope_t *lower, pencil_t *pool, size_t count) {
     envelope_t *both[2] = {upper, lower};
     size_t each = lower == NULL ? count : count / 2;
     if (each < 2 + STEP_ROOM) return ERR_FULL;
@@ -29,8 +35,8 @@ int envelope_init(envelope_t *upper, envelope_t *lower, envelope_point_t *pool, 
         envelope_t *h = both[k];
         h->base = pool + (k == 0 ? 0 : each);
         h->end = k == 0 ? pool + each : pool + count;
-        h->base[0] = (envelope_point_t){-ENVELOPE_LIMIT, ENVELOPE_FLOOR};
-        h->end[-1] = (envelope_point_t){ENVELOPE_LIMIT, ENVELOPE_FLOOR};
+        h->base[0] = (pencil_t){-ENVELOPE_LIMIT, ENVELOPE_FLOOR};
+        h->end[-1] = (pencil_t){ENVELOPE_LIMIT, ENVELOPE_FLOOR};
         h->l = h->base + 1;
         h->r = h->end - 1;
         h->peer = both[1 - k];
@@ -39,14 +45,14 @@ int envelope_init(envelope_t *upper, envelope_t *lower, envelope_point_t *pool, 
     return 0;
 }
 
-static void move_block(envelope_point_t *from, envelope_point_t *end, ptrdiff_t by) {
+static void move_block(pencil_t *from, pencil_t *end, ptrdiff_t by) {
     if (by > 0) {
-        for (envelope_point_t *p = end; p != from;) {
+        for (pencil_t *p = end; p != from;) {
             p--;
             p[by] = *p;
         }
     } else {
-        for (envelope_point_t *p = from; p != end; p++) p[by] = *p;
+        for (pencil_t *p = from; p != end; p++) p[by] = *p;
     }
 }
 
@@ -66,7 +72,9 @@ static int grow(envelope_t *h, ptrdiff_t need) {
     return 0;
 }
 
-static inline int room(envelope_t *h) { return h->r - h->l >= STEP_ROOM ? 0 : grow(h, STEP_ROOM); }
+static inline int room(envelope_t *h) {
+    return h->r - h->l >= STEP_ROOM ? 0 : grow(h, STEP_ROOM);
+}
 
 /* Appends a vertex to the left stack. Of three with equal a the middle one goes: a jump has two ends. */
 static inline void push(envelope_t *h, int32_t a, int32_t w) {
@@ -78,25 +86,16 @@ static inline void push(envelope_t *h, int32_t a, int32_t w) {
             return;
         }
     }
-    *h->l++ = (envelope_point_t){a, w};
+    *h->l++ = (pencil_t){a, w};
 }
 
 /* Moves the gap so that everything up to and including a is on its left. */
 static inline void seek(envelope_t *h, int32_t a) {
-    envelope_point_t *l = h->l, *r = h->r;
+    pencil_t *l = h->l, *r = h->r;
     while (r->a <= a) *l++ = *r++;
     while (l[-1].a > a) *--r = *--l;
     h->l = l;
     h->r = r;
-}
-
-uint32_t envelope_fraction(uint64_t num, uint64_t den) {
-    while (den >> 32 != 0) {
-        num >>= 8;
-        den >>= 8;
-    }
-    /* num < 2^32 and the quotient is at most 2^30 */
-    return den == 0 ? 0 : (uint32_t)((num << 30) / den);
 }
 
 /* Nearest to x + d * t. */
@@ -105,7 +104,7 @@ static inline int32_t along(int32_t x, int32_t d, int32_t t_q30) {
 }
 
 /* The ordinate at abscissa a of the line p-q, p.a <= a <= q.a, p.a < q.a. */
-static int32_t ordinate(envelope_point_t p, envelope_point_t q, int32_t a) {
+static int32_t ordinate(pencil_t p, pencil_t q, int32_t a) {
     if (a == p.a) return p.w;
     if (a == q.a) return q.w;
     uint32_t rise = (uint32_t)abs32(q.w - p.w), run = (uint32_t)(q.a - p.a);
@@ -114,7 +113,7 @@ static int32_t ordinate(envelope_point_t p, envelope_point_t q, int32_t a) {
 }
 
 /* Where x lies on the edge p-q, measured along its longer side. */
-static int32_t fraction_at(envelope_point_t p, envelope_point_t q, envelope_point_t x) {
+static int32_t fraction_at(pencil_t p, pencil_t q, pencil_t x) {
     int32_t run = q.a - p.a, rise = q.w - p.w;
     int32_t whole = run, part = x.a - p.a;
     if (abs32(rise) > run) {
@@ -123,42 +122,22 @@ static int32_t fraction_at(envelope_point_t p, envelope_point_t q, envelope_poin
     }
     if (part <= 0) return 0;
     if (part >= whole) return ONE_Q30;
-    return (int32_t)envelope_fraction((uint64_t)part, (uint64_t)whole);
+    return (int32_t)pencil_fraction((uint64_t)part, (uint64_t)whole);
 }
 
-/* How far q is above the line p0-p1 allows for noise: exact sign against the dead zone. */
-static inline int64_t dead_zone(envelope_point_t p, envelope_point_t q) {
-    return (int64_t)max32(q.a - p.a, abs32(q.w - p.w)) * ENVELOPE_NOISE;
-}
-
-/* Is x, which lies above or below the line p-q, more than noise below it? */
-static inline bool is_below(envelope_point_t p, envelope_point_t q, envelope_point_t x, envelope_count_t *count) {
-    if (x.w >= max32(p.w, q.w)) return false;
-    if (x.w + ENVELOPE_NOISE < min32(p.w, q.w)) return true;
-    count->tests++;
-    return -envelope_orient(p, q, x) > dead_zone(p, q);
-}
-
-static inline bool is_above(envelope_point_t p, envelope_point_t q, envelope_point_t x, envelope_count_t *count) {
-    if (x.w <= min32(p.w, q.w)) return false;
-    if (x.w - ENVELOPE_NOISE > max32(p.w, q.w)) return true;
-    count->tests++;
-    return envelope_orient(p, q, x) > dead_zone(p, q);
-}
-
-/* The crossing of the edge p-q with the piece v-w, rounded, inside both ranges of a. */
-static envelope_point_t crossing(envelope_point_t p, envelope_point_t q, envelope_point_t v, envelope_point_t w,
-                                 envelope_count_t *count) {
+/* The crossing of the edge p-q with the piece v-w, rounded, inside both ranges of a. If the signs that called for
+ * it differ only by the dead zone there is none: the edge then emerges at v, or goes under at w, itself. */
+static pencil_t crossing(pencil_t p, pencil_t q, pencil_t v, pencil_t w, bool emerges, envelope_count_t *count) {
     int64_t ov = envelope_orient(p, q, v), ow = envelope_orient(p, q, w);
     uint64_t nv = ov < 0 ? 0 - (uint64_t)ov : (uint64_t)ov, nw = ow < 0 ? 0 - (uint64_t)ow : (uint64_t)ow;
     int32_t t = 0;
-    count->crossings++;
-    if ((ov < 0) == (ow < 0)) { /* one of them is in the dead zone: the nearer one is where they part */
-        t = nv <= nw ? 0 : ONE_Q30;
+    if (ov == 0 || ow == 0 || (ov < 0) == (ow < 0)) {
+        t = emerges ? 0 : ONE_Q30;
     } else {
-        t = (int32_t)envelope_fraction(nv >> 1, (nv >> 1) + (nw >> 1));
+        count->crossings++;
+        t = (int32_t)pencil_fraction(nv >> 1, (nv >> 1) + (nw >> 1));
     }
-    envelope_point_t x = {along(v.a, w.a - v.a, t), along(v.w, w.w - v.w, t)};
+    pencil_t x = {along(v.a, w.a - v.a, t), along(v.w, w.w - v.w, t)};
     if (x.a <= p.a) return p;
     if (x.a >= q.a) return q;
     return x;
@@ -167,7 +146,7 @@ static envelope_point_t crossing(envelope_point_t p, envelope_point_t q, envelop
 /* The state of one clip. */
 typedef struct clip {
     envelope_t *h;
-    envelope_point_t p, q;
+    pencil_t p, q;
     int32_t from_q30; /* start of the visible part */
     bool visible, any;
 } clip_t;
@@ -183,25 +162,24 @@ static inline int finish(clip_t *c, int32_t at_q30, envelope_take_t take, void *
     return take(ctx, (envelope_part_t){c->from_q30, at_q30});
 }
 
-int envelope_clip(envelope_t *h, envelope_point_t p, envelope_point_t q, envelope_take_t take, void *ctx,
-                  envelope_count_t *count) {
+int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, void *ctx, envelope_count_t *count) {
     clip_t c = {.h = h, .p = p, .q = q};
     seek(h, p.a);
     int err = room(h);
     if (err != 0) return err;
-    envelope_point_t v = h->l[-1]; /* start of the current piece; v.a <= the current abscissa */
-    if (v.a == p.a ? is_below(p, q, v, count) : is_above(v, *h->r, p, count)) {
+    pencil_t v = h->l[-1]; /* start of the current piece; v.a <= the current abscissa */
+    if (v.a == p.a ? envelope_below(p, q, v, count) : envelope_above(v, *h->r, p, count)) {
         if (v.a < p.a) push(h, p.a, ordinate(v, *h->r, p.a));
         push(h, p.a, p.w);
         begin(&c, 0);
     }
     for (;;) {
-        envelope_point_t w = *h->r;
+        pencil_t w = *h->r;
         bool last = w.a > q.a;
-        bool above = last ? is_above(v, w, q, count) : is_below(p, q, w, count);
+        bool above = last ? envelope_above(v, w, q, count) : envelope_below(p, q, w, count);
         if (above != c.visible) {
             if ((err = room(h)) != 0) return err;
-            envelope_point_t x = crossing(p, q, v, w, count);
+            pencil_t x = crossing(p, q, v, w, !c.visible, count);
             int32_t at = fraction_at(p, q, x);
             if (c.visible) {
                 if (last && x.a == q.a) at = ONE_Q30;
@@ -223,11 +201,11 @@ int envelope_clip(envelope_t *h, envelope_point_t p, envelope_point_t q, envelop
         if (!c.visible) push(h, w.a, w.w);
         v = w;
         if (h->r->a == w.a) { /* a jump */
-            envelope_point_t far = *h->r;
+            pencil_t far = *h->r;
             if ((err = room(h)) != 0) return err;
-            above = is_below(p, q, far, count);
+            above = envelope_below(p, q, far, count);
             if (above != c.visible) {
-                envelope_point_t x = {w.a, ordinate(p, q, w.a)};
+                pencil_t x = {w.a, ordinate(p, q, w.a)};
                 int32_t at = fraction_at(p, q, x);
                 push(h, x.a, x.w);
                 if (c.visible) {
@@ -256,9 +234,9 @@ int envelope_clip(envelope_t *h, envelope_point_t p, envelope_point_t q, envelop
 int32_t envelope_height(envelope_t *h, int32_t a_lo, int32_t a_hi) {
     seek(h, a_lo - 1);
     int32_t top = ordinate(h->l[-1], *h->r, a_lo);
-    const envelope_point_t *p = h->r;
+    const pencil_t *p = h->r;
     for (; p->a <= a_hi; p++) top = max32(top, p->w);
-    const envelope_point_t *before = p == h->r ? h->l - 1 : p - 1;
+    const pencil_t *before = p == h->r ? h->l - 1 : p - 1;
     if (before->a < a_hi) top = max32(top, ordinate(*before, *p, a_hi));
     return top;
 }

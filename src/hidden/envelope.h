@@ -17,21 +17,18 @@
 #ifndef ENVELOPE_H
 #define ENVELOPE_H
 
+#include "view/pencil.h"
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-#define ENVELOPE_LIMIT ((INT32_C(1) << 30) - 1) /* |a|, |w| of everything clipped is less by ENVELOPE_NOISE */
+#define ENVELOPE_LIMIT ((INT32_C(1) << 30) - 1) /* beyond PENCIL_LIMIT by more than the noise */
 #define ENVELOPE_FLOOR (-ENVELOPE_LIMIT)
 #define ENVELOPE_NOISE 4 /* two lines through vertices that are a unit off each, and a crossing on each */
 
-typedef struct envelope_point {
-    int32_t a, w;
-} envelope_point_t;
-
 /* A horizon: [base, l) ascending, then the gap, then [r, end) ascending. */
 typedef struct envelope {
-    envelope_point_t *base, *l, *r, *end;
+    pencil_t *base, *l, *r, *end;
     struct envelope *peer; /* shares the pool, or NULL */
     int32_t peak;          /* most vertices so far */
 } envelope_t;
@@ -50,29 +47,79 @@ typedef int (*envelope_take_t)(void *ctx, envelope_part_t part);
 
 /* Makes an empty upper horizon, and a lower one unless lower is NULL, in pool[0..count). count >= 16.
  * Returns 0 or ERR_FULL when count is too small. */
-int envelope_init(envelope_t *upper, envelope_t *lower, envelope_point_t *pool, size_t count);
+int envelope_init(envelope_t *upper, envelope_t *lower, pencil_t *pool, size_t count);
 
 /* Clips the edge p-q, p.a < q.a, against h: gives what is above to take (may be NULL: nobody is interested), and
  * raises h by it. Returns 1 if any of it was above, 0 if none, ERR_FULL, or take's error.
  * Cost: the vertices of h between the end of the last clip and q; two products per sign that comparing does not
  * decide, two divisions per crossing. */
-int envelope_clip(envelope_t *h, envelope_point_t p, envelope_point_t q, envelope_take_t take, void *ctx,
-                  envelope_count_t *count);
+int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, void *ctx, envelope_count_t *count);
 
 /* The height of h at abscissa a: of its limits from left and right, and of all between a_lo and a_hi, the highest. */
 int32_t envelope_height(envelope_t *h, int32_t a_lo, int32_t a_hi);
 
 /* Vertices of h, the two that carry the floor included. */
-static inline int32_t envelope_size(const envelope_t *h) { return (int32_t)((h->l - h->base) + (h->end - h->r)); }
+static inline int32_t envelope_size(const envelope_t *h) {
+    return (int32_t)((h->l - h->base) + (h->end - h->r));
+}
 
 /* Twice the signed area of the triangle o, p, q: positive if q is above the line from o to p (o.a < p.a). */
-static inline int64_t envelope_orient(envelope_point_t o, envelope_point_t p, envelope_point_t q) {
+static inline int64_t envelope_orient(pencil_t o, pencil_t p, pencil_t q) {
     return (int64_t)(p.a - o.a) * (q.w - o.w) - (int64_t)(p.w - o.w) * (q.a - o.a);
 }
 
-static inline bool envelope_same(envelope_point_t p, envelope_point_t q) { return p.a == q.a && p.w == q.w; }
+/* Signed area beyond which a point is off the line p-q by more than noise. */
+static inline int64_t envelope_noise(pencil_t p, pencil_t q) {
+    int32_t run = q.a - p.a, rise = q.w < p.w ? p.w - q.w : q.w - p.w;
+    return (int64_t)(run > rise ? run : rise) * ENVELOPE_NOISE;
+}
 
-/* num / den rounded down, as q30; 0 <= num <= den, den > 0. */
-uint32_t envelope_fraction(uint64_t num, uint64_t den);
+/* Is x, p.a <= x.a <= q.a, below (above) the line p-q by more than noise? */
+static inline bool envelope_below(pencil_t p, pencil_t q, pencil_t x, envelope_count_t *count) {
+    int32_t lo = p.w < q.w ? p.w : q.w, hi = p.w < q.w ? q.w : p.w;
+    if (x.w >= hi) return false;
+    if (x.w + ENVELOPE_NOISE < lo) return true;
+    count->tests++;
+    return -envelope_orient(p, q, x) > envelope_noise(p, q);
+}
+
+static inline bool envelope_above(pencil_t p, pencil_t q, pencil_t x, envelope_count_t *count) {
+    int32_t lo = p.w < q.w ? p.w : q.w, hi = p.w < q.w ? q.w : p.w;
+    if (x.w <= lo) return false;
+    if (x.w - ENVELOPE_NOISE > hi) return true;
+    count->tests++;
+    return envelope_orient(p, q, x) > envelope_noise(p, q);
+}
+
+static inline bool envelope_same(pencil_t p, pencil_t q) {
+    return p.a == q.a && p.w == q.w;
+}
+
+/* The common case of a surface that faces the eye: the horizon passes through n between its vertices l and r, and a
+ * facet's far chain l-f-r rises above l-n-r everywhere. Then f takes the place of n and nothing else changes. True if
+ * so; otherwise nothing has happened. The sweep's direction says on which side of the gap n is: `ascending` for
+ * facets taken in ascending a. Cost: six comparisons of ordinates, at most two orientations; nothing moves. */
+static inline bool envelope_advance(envelope_t *h, bool ascending, pencil_t l, pencil_t n, pencil_t r, pencil_t f,
+                                    envelope_count_t *count) {
+    const pencil_t *before = h->l - (ascending ? 1 : 2), *after = h->r + (ascending ? 1 : 0);
+    const pencil_t *middle = ascending ? h->r : h->l - 1;
+    if (!envelope_same(*middle, n) || !envelope_same(*before, l) || !envelope_same(*after, r)) return false;
+    if (f.a <= l.a || f.a >= r.a || n.a <= l.a || n.a >= r.a) return false;
+    if (f.a < n.a) {
+        if (!envelope_above(l, n, f, count) || !envelope_below(f, r, n, count)) return false;
+    } else if (f.a > n.a) {
+        if (!envelope_above(n, r, f, count) || !envelope_below(l, f, n, count)) return false;
+    } else if (f.w <= n.w + ENVELOPE_NOISE) {
+        return false;
+    }
+    if (ascending) {
+        *h->l++ = f;
+        h->r++;
+    } else {
+        h->l--;
+        *--h->r = f;
+    }
+    return true;
+}
 
 #endif

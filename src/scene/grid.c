@@ -106,4 +106,6 @@ int32_t grid_row(grid_t *g, int32_t j, int32_t *zi, uint8_t *hole) {
     return holes;
 }
 
-bool grid_height(grid_t *g, int32_t i, int32_t j, int32_t *zi) { return height(g, i, j, zi); }
+bool grid_height(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
+    return height(g, i, j, zi);
+}

@@ -1,0 +1,248 @@
+/* edges.c - clipping grid edges.
+ *
+ * Most edges are one line in the chart. In CHART_AROUND those that cross a diagonal are split there, in space, and
+ * each part is clipped in its sector: both parts take the same height at the diagonal and its exact abscissa, so the
+ * horizon stays closed. What is too steep for the chart, close to the point right below the eye, is cut off in space
+ * as well and drawn as it is: nothing is in front of it. */
+#include "hidden/edges.h"
+
+#define ONE_Q30 (INT32_C(1) << 30)
+#define VERTICAL_UNITS 2 /* an edge no wider than this is vertical but for rounding */
+
+static inline int32_t max32(int32_t a, int32_t b) {
+    return a > b ? a : b;
+}
+static inline int32_t min32(int32_t a, int32_t b) {
+    return a < b ? a : b;
+}
+static inline uint32_t size32(int32_t v) {
+    return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
+}
+
+static int32_t scale_q30(int32_t whole, int32_t part_q30) {
+    return (int32_t)(((int64_t)whole * part_q30 + (1 << 29)) >> 30);
+}
+
+/* Takes a visible interval, from left to right in the chart, and places it on the edge in space. */
+static int take_part(void *ctx, envelope_part_t part) {
+    edges_t *e = ctx;
+    edges_edge_t *k = &e->edge;
+    int32_t from = part.from_q30, to = part.to_q30;
+    if (k->flip) {
+        from = ONE_Q30 - part.to_q30;
+        to = ONE_Q30 - part.from_q30;
+    }
+    if (from == 0 && to == ONE_Q30) {
+        k->whole = true;
+    } else {
+        from = chart_unproject(from, k->g0, k->g1);
+        to = chart_unproject(to, k->g0, k->g1);
+    }
+    if (k->way_q30 != ONE_Q30) {
+        from = scale_q30(k->way_q30, from);
+        to = scale_q30(k->way_q30, to);
+    }
+    from += k->start_q30, to += k->start_q30;
+    if (from >= to) return 0;
+    return runs_add(&e->runs, k->run, k->family, k->line, k->cell * INK_ONE + from, k->cell * INK_ONE + to);
+}
+
+/* A vertical edge covers an interval of w at one abscissa. The horizons' heights there, and a unit to either side for
+ * rounding, say what is visible. It raises nothing: its ends belong to edges that do. */
+static int clip_vertical(edges_t *e, pencil_t l, pencil_t r) {
+    int32_t lo = min32(l.w, r.w), hi = max32(l.w, r.w), height = hi - lo;
+    int32_t top = e->has_upper ? envelope_height(&e->upper, l.a - 1, r.a + 1) : ENVELOPE_LIMIT;
+    int32_t bottom = e->has_lower ? -envelope_height(&e->lower, l.a - 1, r.a + 1) : -ENVELOPE_LIMIT;
+    bool falling = r.w < l.w;
+    if (height == 0) return 0;
+    if (hi > top + ENVELOPE_NOISE) {
+        int32_t from =
+            top <= lo + ENVELOPE_NOISE ? 0 : (int32_t)pencil_fraction((uint32_t)(top - lo), (uint32_t)height);
+        envelope_part_t part = falling ? (envelope_part_t){0, ONE_Q30 - from} : (envelope_part_t){from, ONE_Q30};
+        int err = take_part(e, part);
+        if (err != 0 || from == 0) return err;
+    }
+    if (lo < bottom - ENVELOPE_NOISE) {
+        int32_t to = bottom >= hi - ENVELOPE_NOISE
+                         ? ONE_Q30
+                         : (int32_t)pencil_fraction((uint32_t)(bottom - lo), (uint32_t)height);
+        envelope_part_t part = falling ? (envelope_part_t){ONE_Q30 - to, ONE_Q30} : (envelope_part_t){0, to};
+        return take_part(e, part);
+    }
+    return 0;
+}
+
+/* Clips a line of the chart against both horizons. */
+static int clip(edges_t *e, pencil_t p0, pencil_t p1, bool opening) {
+    edges_edge_t *k = &e->edge;
+    k->flip = p1.a < p0.a;
+    k->whole = false;
+    pencil_t l = k->flip ? p1 : p0, r = k->flip ? p0 : p1;
+    if (r.a - l.a <= VERTICAL_UNITS) return clip_vertical(e, l, r);
+    if (e->has_upper) {
+        int n = envelope_clip(&e->upper, l, r, take_part, e, &e->count);
+        if (n < 0) return n;
+    }
+    if (!e->has_lower || (k->whole && !opening)) return 0;
+    l.w = -l.w, r.w = -r.w;
+    int n = envelope_clip(&e->lower, l, r, opening ? NULL : take_part, e, &e->count);
+    return n < 0 ? n : 0;
+}
+
+/* A point of an edge relative to the eye. */
+typedef struct place {
+    int32_t x, y, z;
+} place_t;
+
+static place_t place_at(place_t p, place_t q, int32_t s_q30) {
+    if (s_q30 == 0) return p;
+    if (s_q30 == ONE_Q30) return q;
+    return (place_t){p.x + scale_q30(q.x - p.x, s_q30), p.y + scale_q30(q.y - p.y, s_q30),
+                     p.z + (int32_t)((((int64_t)q.z - p.z) * s_q30 + (1 << 29)) >> 30)};
+}
+
+/* Where on p-q the line of sight is as steep as the chart allows; one end is steeper, the other is not. */
+static int32_t steep_limit(const edges_t *e, int sector, place_t p, place_t q, bool p_steep) {
+    int32_t in = p_steep ? ONE_Q30 : 0, out = p_steep ? 0 : ONE_Q30; /* bisection: a rare case, exact to the chart */
+    pencil_t at;
+    while (in - out > 1 || out - in > 1) {
+        int32_t m = in + (out - in) / 2;
+        place_t t = place_at(p, q, m);
+        if (chart_around(&e->chart, sector, t.x, t.y, t.z, &at)) {
+            in = m;
+        } else {
+            out = m;
+        }
+    }
+    return in;
+}
+
+/* Clips the part a-b of an edge, [s0, s1] of its way, which lies in one sector. */
+static int clip_in_sector(edges_t *e, place_t a, place_t b, int32_t s0, int32_t s1, bool opening) {
+    edges_edge_t *k = &e->edge;
+    place_t m = place_at(a, b, ONE_Q30 / 2);
+    int sector = chart_sector(m.x, m.y);
+    pencil_t at0, at1;
+    bool in0 = chart_around(&e->chart, sector, a.x, a.y, a.z, &at0);
+    bool in1 = chart_around(&e->chart, sector, b.x, b.y, b.z, &at1);
+    int32_t t0 = 0, t1 = ONE_Q30;
+    if (in0 != in1) {
+        int32_t t = steep_limit(e, sector, a, b, in1);
+        place_t c = place_at(a, b, t);
+        if (in1) {
+            t0 = t;
+            a = c;
+            in0 = chart_around(&e->chart, sector, c.x, c.y, c.z, &at0);
+        } else {
+            t1 = t;
+            b = c;
+            in1 = chart_around(&e->chart, sector, c.x, c.y, c.z, &at1);
+        }
+    }
+    int32_t way = s1 - s0;
+    t0 = s0 + scale_q30(way, t0);
+    t1 = s0 + scale_q30(way, t1);
+    const bool shown = in0 && in1;
+    int err = 0;
+    k->g0 = k->g1 = 1;
+    k->flip = false;
+    if (t0 > s0 || !shown) { /* the steep part before */
+        k->start_q30 = s0;
+        k->way_q30 = (shown ? t0 : s1) - s0;
+        err = take_part(e, (envelope_part_t){0, ONE_Q30});
+    }
+    if (err == 0 && shown) {
+        k->start_q30 = t0;
+        k->way_q30 = t1 - t0;
+        k->g0 = size32(sector & 1 ? b.x : b.y);
+        k->g1 = size32(sector & 1 ? a.x : a.y);
+        err = clip(e, at0, at1, opening);
+    }
+    if (err == 0 && shown && t1 < s1) {
+        k->start_q30 = t1;
+        k->way_q30 = s1 - t1;
+        k->g0 = k->g1 = 1;
+        k->flip = false;
+        err = take_part(e, (envelope_part_t){0, ONE_Q30});
+    }
+    k->start_q30 = 0;
+    k->way_q30 = ONE_Q30;
+    return err;
+}
+
+/* x + (y - x) * num / den to nearest, 0 <= num <= den < 2^32, |x|, |y| < 2^31. */
+static int32_t between(int32_t x, int32_t y, int64_t num, int64_t den) {
+    int64_t n = ((int64_t)y - x) / 2 * num;
+    return x + 2 * (int32_t)(n / den);
+}
+
+/* An edge of CHART_AROUND that is not one line of the chart: cut at the diagonals, or right below the eye. */
+static int clip_around(edges_t *e, place_t p, place_t q, bool opening) {
+    bool along_x = e->edge.family == INK_ROW;
+    int32_t fixed = along_x ? p.y : p.x, v0 = along_x ? p.x : p.y, v1 = along_x ? q.x : q.y;
+    int32_t side = (int32_t)size32(fixed), cuts = fixed == 0 ? 1 : 2, from_q30 = 0;
+    place_t from = p;
+    for (int32_t c = 0; c < cuts; c++) {
+        int32_t cut = c == 0 ? -side : side;
+        if (cut <= v0 || cut >= v1) continue;
+        int64_t part = (int64_t)cut - v0, way = (int64_t)v1 - v0;
+        place_t to = {along_x ? cut : p.x, along_x ? p.y : cut, between(p.z, q.z, part, way)};
+        int32_t to_q30 = (int32_t)pencil_fraction((uint64_t)part, (uint64_t)way);
+        int err = clip_in_sector(e, from, to, from_q30, to_q30, opening);
+        if (err != 0) return err;
+        from = to;
+        from_q30 = to_q30;
+    }
+    return clip_in_sector(e, from, q, from_q30, ONE_Q30, opening);
+}
+
+/* Are both ends coordinates of one sector? Then the edge is a line of the chart. */
+static inline bool one_line(pencil_t p0, pencil_t p1) {
+    if (p0.a == CHART_NONE || p1.a == CHART_NONE) return false;
+    int32_t lo = min32(p0.a, p1.a), hi = max32(p0.a, p1.a);
+    return lo == hi || lo >> CHART_SECTOR_BITS == (hi - 1) >> CHART_SECTOR_BITS;
+}
+
+int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run, bool opening) {
+    pencil_t p0 = line->at[i], p1 = line->at[i + 1];
+    const chart_column_t *c = e->chart.column;
+    e->edge =
+        (edges_edge_t){.family = INK_ROW, .line = line->j, .cell = i, .run = run, .g0 = 1, .g1 = 1, .way_q30 = ONE_Q30};
+    e->clipped++;
+    if (e->chart.kind == CHART_EAST) {
+        e->edge.g0 = c[i].r;
+        e->edge.g1 = c[i + 1].r;
+    } else if (e->chart.kind == CHART_AROUND) {
+        if (!one_line(p0, p1)) {
+            return clip_around(e, (place_t){c[i].p, line->dy, line->z[i]},
+                               (place_t){c[i + 1].p, line->dy, line->z[i + 1]}, opening);
+        }
+        if (chart_sector_at(min32(p0.a, p1.a)) & 1) {
+            e->edge.g0 = size32(c[i + 1].p);
+            e->edge.g1 = size32(c[i].p);
+        }
+    }
+    return clip(e, p0, p1, opening);
+}
+
+int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i, run_t *run, bool opening) {
+    pencil_t p0 = line->at[i], p1 = next->at[i];
+    const chart_column_t *c = e->chart.column;
+    e->edge =
+        (edges_edge_t){.family = INK_COL, .line = i, .cell = line->j, .run = run, .g0 = 1, .g1 = 1, .way_q30 = ONE_Q30};
+    e->clipped++;
+    if (e->chart.kind == CHART_NORTH) {
+        e->edge.g0 = line->r;
+        e->edge.g1 = next->r;
+    } else if (e->chart.kind == CHART_AROUND) {
+        if (!one_line(p0, p1)) {
+            return clip_around(e, (place_t){c[i].p, line->dy, line->z[i]}, (place_t){c[i].p, next->dy, next->z[i]},
+                               opening);
+        }
+        if (!(chart_sector_at(min32(p0.a, p1.a)) & 1)) {
+            e->edge.g0 = size32(next->dy);
+            e->edge.g1 = size32(line->dy);
+        }
+    }
+    return clip(e, p0, p1, opening);
+}

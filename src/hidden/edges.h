@@ -1,0 +1,44 @@
+/* edges.h - one grid edge at a time: from chart points through the horizons to visible intervals.
+ *
+ * Between the sweep (perimeter.c), which knows the order, and the horizons, which know nothing of grids. */
+#ifndef EDGES_H
+#define EDGES_H
+
+#include "hidden/envelope.h"
+#include "hidden/runs.h"
+#include "view/chart.h"
+
+/* The edge being clipped: where its intervals go. End 0 has the smaller index. */
+typedef struct edges_edge {
+    uint8_t family;
+    int32_t line, cell;
+    run_t *run;
+    uint32_t g0, g1;            /* reciprocal distances of the ends (of the part being clipped) */
+    int32_t start_q30, way_q30; /* the part that is being clipped, in space */
+    bool flip;                  /* end 0 is on the right in the chart */
+    bool whole;                 /* all of the part was taken */
+} edges_edge_t;
+
+typedef struct edges {
+    chart_t chart;
+    envelope_t upper, lower;
+    bool has_upper, has_lower;
+    envelope_count_t count;
+    int64_t clipped;
+    runs_t runs;
+    edges_edge_t edge;
+} edges_t;
+
+/* Clips the edge from (i, line) one column (INK_ROW) or one row (INK_COL, next is row line + 1) further, and adds
+ * what is visible to run. opening: the edge is on the border that faces the eye, nothing has been at its abscissae
+ * yet, so it starts both horizons. Returns 0, ERR_FULL or the sink's error. */
+int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run, bool opening);
+int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i, run_t *run, bool opening);
+
+/* Adds a whole visible edge that the horizons know already. */
+static inline int edges_whole(edges_t *e, uint8_t family, int32_t line, int32_t cell, run_t *run) {
+    e->clipped++;
+    return runs_add(&e->runs, run, family, line, cell * INK_ONE, (cell + 1) * INK_ONE);
+}
+
+#endif

@@ -1,0 +1,193 @@
+/* perimeter.c - the sweep: facets in occlusion-compatible order, two rows of the grid at a time.
+ *
+ *      . . . . . . .      Rows outward from the eye's cell, first up, then down; in a row columns outward,
+ *      . 5 4 3 6 7 .      first right, then left. Each facet clips those of its edges that nobody has clipped,
+ *      . . . 2 . . .      the near ones first. They cover disjoint ranges of the abscissa, so a facet is a
+ *      . . . E 1 . .      tiny profile that raises the horizons.
+ */
+#include "hidden/perimeter.h"
+
+#include "error.h"
+#include "hidden/edges.h"
+#include "hidden/plain.h"
+
+typedef struct sweep {
+    edges_t edges;
+    chart_line_t line[2]; /* [0] has the smaller j, between two rows of facets one of them is refilled */
+    run_t *column_run;    /* one per column */
+    run_t row_run[2];     /* of line[0] and line[1] */
+    int64_t facets;
+} sweep_t;
+
+/* Where the four corners of a facet are in the two lines, seen from the eye: n is the near one, f the far one. */
+static inline bool advance(sweep_t *s, envelope_t *h, bool ascending, pencil_t n, pencil_t b, pencil_t c, pencil_t f) {
+    return ascending ? envelope_advance(h, true, c, n, b, f, &s->edges.count)
+                     : envelope_advance(h, false, b, n, c, f, &s->edges.count);
+}
+
+static inline pencil_t mirror(pencil_t p) {
+    return (pencil_t){p.a, -p.w};
+}
+
+/* A facet off the eye's row and column: two of its edges are new, the column `side` and the row `far`. */
+static int corner_facet(sweep_t *s, int32_t i, int far, bool rightward) {
+    edges_t *e = &s->edges;
+    const chart_line_t *lf = &s->line[far], *ln = &s->line[1 - far];
+    const int32_t in = rightward ? i : i + 1, out = rightward ? i + 1 : i;
+    pencil_t n = ln->at[in], b = ln->at[out], c = lf->at[in], f = lf->at[out];
+    const bool ascending = rightward != (far == 1);
+    bool whole = false;
+    if (e->has_upper) whole = advance(s, &e->upper, ascending, n, b, c, f);
+    if (!whole && e->has_lower) whole = advance(s, &e->lower, ascending, mirror(n), mirror(b), mirror(c), mirror(f));
+    int err;
+    if (whole) {
+        err = edges_whole(e, INK_COL, out, s->line[0].j, &s->column_run[out]);
+        return err != 0 ? err : edges_whole(e, INK_ROW, lf->j, i, &s->row_run[far]);
+    }
+    err = edges_row(e, lf, i, &s->row_run[far], false);
+    return err != 0 ? err : edges_column(e, &s->line[0], &s->line[1], out, &s->column_run[out], false);
+}
+
+static int column_edge(sweep_t *s, int32_t i) {
+    const chart_t *c = &s->edges.chart;
+    bool opening = (i == 0 && c->side_x < 0) || (i == c->grid->nx - 1 && c->side_x > 0);
+    return edges_column(&s->edges, &s->line[0], &s->line[1], i, &s->column_run[i], opening);
+}
+
+static int row_edge(sweep_t *s, int which, int32_t i) {
+    const chart_t *c = &s->edges.chart;
+    int32_t j = s->line[which].j;
+    bool opening = (j == 0 && c->side_y < 0) || (j == c->grid->ny - 1 && c->side_y > 0);
+    return edges_row(&s->edges, &s->line[which], i, &s->row_run[which], opening);
+}
+
+/* The first facet of a row, and every facet of the eye's row: near edges first, the rest in any order. `inner` is -1
+ * for the first facet, otherwise the column that is already done. fresh: both row edges are new; else line `far`. */
+static int outer_facet(sweep_t *s, int32_t i, int32_t inner, int far, bool fresh) {
+    const chart_t *c = &s->edges.chart;
+    int err = 0;
+    int near_row = fresh && c->side_y != 0 ? (c->side_y > 0 ? 1 : 0) : -1;
+    int32_t near_column = inner < 0 && c->side_x != 0 ? (c->side_x > 0 ? i + 1 : i) : -1;
+    if (near_row >= 0) err = row_edge(s, near_row, i);
+    if (err == 0 && near_column >= 0) err = column_edge(s, near_column);
+    for (int32_t k = i; k <= i + 1 && err == 0; k++) {
+        if (k != inner && k != near_column) err = column_edge(s, k);
+    }
+    for (int k = 0; k < 2 && err == 0; k++) {
+        if (k != near_row && (fresh || k == far)) err = row_edge(s, k, i);
+    }
+    return err;
+}
+
+static int flush_rows(sweep_t *s) {
+    int err = 0;
+    for (int k = 0; k < 2 && err == 0; k++) {
+        err = runs_flush(&s->edges.runs, &s->row_run[k], INK_ROW, s->line[k].j);
+    }
+    return err;
+}
+
+/* One row of facets between line[0] and line[1]; `far` is the line away from the eye. */
+static int sweep_row(sweep_t *s, int far, bool fresh) {
+    const chart_t *c = &s->edges.chart;
+    const int32_t nx = c->grid->nx, i0 = c->i0;
+    int err = outer_facet(s, i0, -1, far, fresh);
+    for (int32_t i = i0 + 1; i < nx - 1 && err == 0; i++) {
+        err = fresh ? outer_facet(s, i, i, far, true) : corner_facet(s, i, far, true);
+    }
+    for (int32_t i = i0 - 1; i >= 0 && err == 0; i--) {
+        err = fresh ? outer_facet(s, i, i + 1, far, true) : corner_facet(s, i, far, false);
+    }
+    s->facets += nx - 1;
+    return err != 0 ? err : flush_rows(s);
+}
+
+/* What a column needs besides the chart: two rows of points, an open run. */
+#define COLUMN_BYTES (2 * sizeof(pencil_t) + sizeof(run_t) + sizeof(chart_column_t))
+#define AROUND_COLUMN_BYTES (2 * sizeof(int32_t))
+
+size_t perimeter_bytes(int32_t nx, int32_t vertices) {
+    return (size_t)nx * (COLUMN_BYTES + AROUND_COLUMN_BYTES) + (size_t)vertices * sizeof(pencil_t) + 16;
+}
+
+/* Lays the working memory out: runs and points per column first, the horizons take the rest. */
+static int lay_out(sweep_t *s, grid_t *g, const camera_t *cam, const hidden_job_t *job, size_t *fixed) {
+    const size_t nx = (size_t)g->nx;
+    edges_t *e = &s->edges;
+    uint8_t *mem = job->mem;
+    *fixed = nx * COLUMN_BYTES;
+    if (job->bytes < *fixed) return ERR_FULL;
+    s->column_run = (run_t *)(void *)mem;
+    mem += nx * sizeof(run_t);
+    for (int k = 0; k < 2; k++) {
+        s->line[k].at = (pencil_t *)(void *)mem;
+        mem += nx * sizeof(pencil_t);
+    }
+    chart_init(&e->chart, g, cam, (chart_column_t *)(void *)mem);
+    mem += nx * sizeof(chart_column_t);
+    if (e->chart.kind == CHART_AROUND) {
+        *fixed += nx * AROUND_COLUMN_BYTES;
+        if (job->bytes < *fixed) return ERR_FULL;
+        for (int k = 0; k < 2; k++) {
+            s->line[k].z = (int32_t *)(void *)mem;
+            mem += nx * sizeof(int32_t);
+        }
+    }
+    for (size_t i = 0; i < nx; i++) s->column_run[i] = (run_t){0, 0};
+    e->has_upper = e->chart.seen >= 0;
+    e->has_lower = e->chart.seen <= 0;
+    envelope_t *first = e->has_upper ? &e->upper : &e->lower;
+    envelope_t *second = e->has_upper && e->has_lower ? &e->lower : NULL;
+    return envelope_init(first, second, (pencil_t *)(void *)mem, (job->bytes - *fixed) / sizeof(pencil_t));
+}
+
+/* The sweep proper. line[0] and line[1] always hold rows j and j + 1. */
+static int sweep_all(sweep_t *s, const hidden_job_t *job) {
+    chart_t *c = &s->edges.chart;
+    const int32_t rows = c->grid->ny - 1;
+    int32_t done = 0;
+    int err = 0;
+    for (int up = 1; up >= 0 && err == 0; up--) {
+        chart_row(c, c->j0, &s->line[0]);
+        if (up || c->j0 > 0) chart_row(c, c->j0 + 1, &s->line[1]);
+        for (int32_t j = up ? c->j0 : c->j0 - 1; j >= 0 && j < rows && err == 0; j += up ? 1 : -1) {
+            if (j != c->j0) { /* the line that is nearer to the eye stays */
+                chart_line_t stays = s->line[up];
+                s->line[up] = s->line[1 - up];
+                s->line[1 - up] = stays;
+                chart_row(c, up ? j + 1 : j, &s->line[up]);
+            }
+            err = sweep_row(s, up, j == c->j0);
+            if (err == 0 && job->tick != NULL) job->tick(job->tick_ctx, ++done, rows);
+        }
+    }
+    for (int32_t i = 0; i < c->grid->nx && err == 0; i++) {
+        err = runs_flush(&s->edges.runs, &s->column_run[i], INK_COL, i);
+    }
+    return err;
+}
+
+int perimeter_draw(grid_t *g, const camera_t *cam, const hidden_job_t *job, hidden_stats_t *stats) {
+    sweep_t s = {0};
+    edges_t *e = &s.edges;
+    const int64_t before = g->evaluated;
+    size_t fixed = 0;
+    *stats = (hidden_stats_t){0};
+    e->runs.sink = job->sink;
+    int err = lay_out(&s, g, cam, job, &fixed);
+    if (err == 0 && e->chart.kind == CHART_VERTICAL) {
+        err = plain_draw(g, INK_ROW, 0, job->sink);
+        return err != 0 ? err : plain_draw(g, INK_COL, 0, job->sink);
+    }
+    if (err == 0) err = sweep_all(&s, job);
+    stats->facets = s.facets;
+    stats->edges = e->clipped;
+    stats->tests = e->count.tests;
+    stats->crossings = e->count.crossings;
+    stats->pieces = e->runs.pieces;
+    stats->evaluated = g->evaluated - before;
+    stats->peak_upper = e->has_upper ? e->upper.peak : 0;
+    stats->peak_lower = e->has_lower ? e->lower.peak : 0;
+    stats->bytes = fixed + (size_t)(stats->peak_upper + stats->peak_lower) * sizeof(pencil_t);
+    return err;
+}

@@ -1,0 +1,363 @@
+/* chart.c - choosing a chart's kind and scales once per scene, and charting rows. */
+#include "view/chart.h"
+
+/* A single sector is used while directions differ by less than this slope: at its border a unit of a is then
+ * MAX_SLOPE^2 + 1 times as fine in angle as in its middle. */
+#define MAX_SLOPE 8
+#define AROUND_W_BITS 12 /* CHART_AROUND: |w| up to 2^12 times (greatest height / greatest distance) */
+
+_Static_assert(30 - 7 >= 17 + 5, "at MAX_SLOPE 32 units are left to a quarter of a step on A4 (2^-17 of the page)");
+
+static num_t max_num(num_t a, num_t b) {
+    return num_cmp(a, b) < 0 ? b : a;
+}
+
+static num_t middle(num_t a, num_t b) {
+    return num_ldexp(num_add(a, b), -1);
+}
+
+/* The largest k with a * 2^k < 2^bits; 0 for a == 0. a >= 0. */
+static int16_t bits_below(num_t a, int bits) {
+    return (int16_t)(a.m == 0 ? 0 : bits - 63 - a.e);
+}
+
+static int32_t fixed32(num_t a, int bits) {
+    int64_t v = num_to_fixed(a, bits, NULL);
+    return v > INT32_MAX ? INT32_MAX : v < -INT32_MAX ? -INT32_MAX : (int32_t)v;
+}
+
+static uint32_t fixed_u32(num_t a, int bits) {
+    int64_t v = num_to_fixed(a, bits, NULL);
+    return v > (int64_t)UINT32_MAX ? UINT32_MAX : (uint32_t)v;
+}
+
+static num_t x_at(const chart_t *c, int32_t i) {
+    return c->grid->src->x_of(c->grid->src->ctx, i);
+}
+static num_t y_at(const chart_t *c, int32_t j) {
+    return c->grid->src->y_of(c->grid->src->ctx, j);
+}
+
+/* Heights come as multiples of 2^z_exp and are wanted as multiples of 2^-z_bits. */
+static void set_height_shifts(chart_t *c) {
+    int32_t up = c->grid->z_exp + c->z_bits;
+    c->z_up = (uint8_t)(up > 0 ? (up > 31 ? 31 : up) : 0);
+    c->z_down = (uint8_t)(up < 0 ? (up < -31 ? 31 : -up) : 0);
+}
+
+/* The eye's cell along one axis: the last index in [0, n - 2] whose coordinate is not beyond the eye. */
+static int32_t cell_of(num_t (*of)(void *ctx, int32_t k), void *ctx, int32_t n, num_t eye, int8_t *side) {
+    *side = num_cmp(eye, of(ctx, 0)) < 0 ? -1 : num_cmp(eye, of(ctx, n - 1)) > 0 ? 1 : 0;
+    int32_t lo = 0, hi = n - 1;
+    while (hi - lo > 1) {
+        int32_t m = lo + (hi - lo) / 2;
+        if (num_cmp(of(ctx, m), eye) <= 0) {
+            lo = m;
+        } else {
+            hi = m;
+        }
+    }
+    return lo;
+}
+
+/* The largest |numerator| and |numerator / distance| over the corners of a rectangle u x v seen from a distance
+ * along v: numerator = (u - u_ref) - shear * (v - v_ref), distance = |v - eye|. */
+static num_t extent(const num_t u[2], const num_t v[2], num_t u_ref, num_t v_ref, num_t shear, num_t eye) {
+    num_t most = num_from_i64(0);
+    for (int k = 0; k < 4; k++) {
+        num_t n = num_sub(num_sub(u[k & 1], u_ref), num_mul(shear, num_sub(v[k >> 1], v_ref)));
+        most = max_num(most, num_abs(num_div(n, num_sub(v[k >> 1], eye))));
+    }
+    return most;
+}
+
+/* CHART_NORTH and CHART_EAST: u is the coordinate across, v the one whose distance divides. */
+static void init_single(chart_t *c, const num_t u[2], const num_t v[2], const num_t z[2], num_t eye_u, num_t eye_v,
+                        num_t *u_ref, num_t *v_ref) {
+    const num_t eye_z = c->cam->eye[2];
+    num_t mid_v = middle(v[0], v[1]), depth = num_sub(mid_v, eye_v);
+    *v_ref = mid_v;
+    *u_ref = eye_u;
+    c->z_ref = eye_z;
+    c->shear_a = c->shear_w = num_from_i64(0);
+    if (num_cmp(eye_u, u[0]) < 0 || num_cmp(eye_u, u[1]) > 0) {
+        *u_ref = middle(u[0], u[1]);
+        c->shear_a = num_div(num_sub(*u_ref, eye_u), depth);
+    }
+    if (num_cmp(eye_z, z[0]) < 0 || num_cmp(eye_z, z[1]) > 0) {
+        c->z_ref = middle(z[0], z[1]);
+        c->shear_w = num_div(num_sub(c->z_ref, eye_z), depth);
+    }
+    num_t nearest = num_sub(c->sign > 0 ? v[0] : v[1], eye_v);
+    num_t most_a = extent(u, v, *u_ref, *v_ref, c->shear_a, eye_v);
+    num_t most_w = extent(z, v, c->z_ref, *v_ref, c->shear_w, eye_v);
+    /* a = (p * r) >> 32: the scales of p and r add up to 32 more than that of a. r fills 32 bits at the nearest
+     * row, where |a| < 2^30 - so |p| < 2^31 there, and it is no larger elsewhere. */
+    c->r_bits = (int16_t)(bits_below(num_div(num_from_i64(1), num_abs(nearest)), 32));
+    c->p_bits = (int16_t)(bits_below(num_mul(most_a, num_from_fixed((1 << 16) + 1, 16)), 30) + 32 - c->r_bits);
+    c->z_bits = (int16_t)(bits_below(num_mul(most_w, num_from_fixed((1 << 16) + 1, 16)), 30) + 32 - c->r_bits);
+}
+
+static void init_parallel(chart_t *c, const num_t x[2], const num_t y[2], const num_t z[2]) {
+    const num_t *e = c->cam->eye;
+    num_t flat = num_sqrt(num_add(num_mul(e[0], e[0]), num_mul(e[1], e[1])));
+    if (flat.undef || num_cmp(flat, num_ldexp(num_abs(e[2]), -40)) <= 0) {
+        c->kind = CHART_VERTICAL;
+        return;
+    }
+    c->x_ref = middle(x[0], x[1]);
+    c->y_ref = middle(y[0], y[1]);
+    c->z_ref = middle(z[0], z[1]);
+    /* shear_a, shear_w hold the unit vector towards the eye in plan; climb its rise per unit of way. */
+    c->shear_a = num_div(e[0], flat);
+    c->shear_w = num_div(e[1], flat);
+    num_t climb = num_div(e[2], flat);
+    num_t half_x = num_sub(x[1], c->x_ref), half_y = num_sub(y[1], c->y_ref), half_z = num_sub(z[1], c->z_ref);
+    num_t slack = num_from_fixed((1 << 16) + 1, 16);
+    num_t most_a = num_add(num_abs(num_mul(c->shear_w, half_x)), num_abs(num_mul(c->shear_a, half_y)));
+    num_t most_w = num_add(num_abs(num_mul(c->shear_a, half_x)), num_abs(num_mul(c->shear_w, half_y)));
+    most_w = num_add(num_mul(num_abs(climb), most_w), half_z);
+    c->p_bits = bits_below(num_mul(most_a, slack), 30);
+    c->z_bits = bits_below(num_mul(most_w, slack), 30);
+    set_height_shifts(c);
+    num_t rise = num_sub(c->grid->z_origin, c->z_ref);
+    for (int32_t i = 0; i < c->grid->nx; i++) {
+        num_t dx = num_sub(x_at(c, i), c->x_ref);
+        num_t climbed = num_mul(climb, num_mul(c->shear_a, dx));
+        c->column[i].p = fixed32(num_mul(c->shear_w, dx), c->p_bits);
+        c->column[i].s = fixed32(num_sub(rise, climbed), c->z_bits);
+    }
+    c->shear_w = num_mul(climb, c->shear_w); /* what a row needs */
+}
+
+/* 2^(31 + b) / d with b the number of bits of d, 32 bits; d > 0. */
+static uint32_t reciprocal(uint32_t d, int32_t *b) {
+    *b = 32 - __builtin_clz(d);
+    uint64_t r = ((uint64_t)1 << (31 + *b)) / d;
+    return r > UINT32_MAX ? UINT32_MAX : (uint32_t)r;
+}
+
+static void init_around(chart_t *c, const num_t x[2], const num_t y[2], const num_t z[2]) {
+    const num_t *e = c->cam->eye;
+    num_t far_x = max_num(num_abs(num_sub(x[0], e[0])), num_abs(num_sub(x[1], e[0])));
+    num_t far_y = max_num(num_abs(num_sub(y[0], e[1])), num_abs(num_sub(y[1], e[1])));
+    num_t far_z = max_num(num_abs(num_sub(z[0], e[2])), num_abs(num_sub(z[1], e[2])));
+    c->x_ref = e[0], c->y_ref = e[1], c->z_ref = e[2];
+    c->p_bits = bits_below(far_x, 30);
+    c->y_bits = bits_below(far_y, 30);
+    c->z_bits = bits_below(far_z, 30);
+    set_height_shifts(c);
+    for (int32_t i = 0; i < c->grid->nx; i++) {
+        chart_column_t *k = &c->column[i];
+        k->p = fixed32(num_sub(x_at(c, i), e[0]), c->p_bits);
+        if (k->p != 0) k->r = reciprocal((uint32_t)(k->p < 0 ? -k->p : k->p), &k->s);
+    }
+    /* w = dz / distance * 2^w_bits: as much as the nearest border allows, but never less than leaves 2^12 for the
+     * steepest slope. */
+    int32_t bits = 30 - AROUND_W_BITS;
+    num_t gap = num_from_i64(0);
+    if (c->side_x != 0) gap = num_ldexp(num_abs(num_sub(x[c->side_x > 0], e[0])), c->p_bits);
+    if (c->side_y != 0) gap = max_num(gap, num_ldexp(num_abs(num_sub(y[c->side_y > 0], e[1])), c->y_bits));
+    if (gap.m != 0) {
+        int32_t more = bits_below(num_div(num_ldexp(far_z, c->z_bits), gap), 30);
+        if (more > bits) bits = more > 30 ? 30 : more;
+    }
+    c->w_shift = (int16_t)(31 - bits);
+}
+
+static int8_t side_seen(chart_t *c) {
+    if (c->side_x != 0 || c->side_y != 0) return 0;
+    /* The eye is above or below its cell: compare with the cell's bilinear height. */
+    num_t x0 = x_at(c, c->i0), x1 = x_at(c, c->i0 + 1), y0 = y_at(c, c->j0), y1 = y_at(c, c->j0 + 1);
+    num_t u = num_div(num_sub(c->cam->eye[0], x0), num_sub(x1, x0));
+    num_t v = num_div(num_sub(c->cam->eye[1], y0), num_sub(y1, y0));
+    num_t one = num_from_i64(1), height = num_from_i64(0), weight = num_from_i64(0);
+    for (int k = 0; k < 4; k++) {
+        int32_t zi;
+        num_t part = num_mul(k & 1 ? u : num_sub(one, u), k >> 1 ? v : num_sub(one, v));
+        if (part.m == 0 || !grid_height(c->grid, c->i0 + (k & 1), c->j0 + (k >> 1), &zi)) continue;
+        height = num_add(height, num_mul(part, num_from_fixed(zi, -c->grid->z_exp)));
+        weight = num_add(weight, part);
+    }
+    if (weight.m == 0) {
+        height = middle(c->grid->z_min, c->grid->z_max);
+    } else {
+        height = num_add(num_div(height, weight), c->grid->z_origin);
+    }
+    return num_cmp(c->cam->eye[2], height) >= 0 ? 1 : -1;
+}
+
+/* How many times as wide as its nearest distance a rectangle is seen, in units of its own sides. */
+static num_t slope_of(const num_t u[2], const num_t v[2], num_t eye_u, num_t eye_v) {
+    num_t wide = max_num(num_abs(num_sub(u[0], eye_u)), num_abs(num_sub(u[1], eye_u)));
+    num_t near = num_cmp(eye_v, v[0]) < 0 ? num_sub(v[0], eye_v) : num_sub(eye_v, v[1]);
+    return num_div(num_mul(wide, num_sub(v[1], v[0])), num_mul(near, num_sub(u[1], u[0])));
+}
+
+void chart_init(chart_t *c, grid_t *g, const camera_t *cam, chart_column_t *column) {
+    const surface_t *src = g->src;
+    const num_t *e = cam->eye;
+    *c = (chart_t){.grid = g, .cam = cam, .column = column};
+    const num_t x[2] = {x_at(c, 0), x_at(c, g->nx - 1)}, y[2] = {y_at(c, 0), y_at(c, g->ny - 1)};
+    const num_t z[2] = {g->z_min, g->z_max};
+    if (!cam->perspective) {
+        c->side_x = (int8_t)num_sign(e[0]);
+        c->side_y = (int8_t)num_sign(e[1]);
+        c->i0 = c->side_x > 0 ? g->nx - 2 : 0;
+        c->j0 = c->side_y > 0 ? g->ny - 2 : 0;
+        c->kind = CHART_PARALLEL;
+        init_parallel(c, x, y, z);
+        return;
+    }
+    c->i0 = cell_of(src->x_of, src->ctx, g->nx, e[0], &c->side_x);
+    c->j0 = cell_of(src->y_of, src->ctx, g->ny, e[1], &c->side_y);
+    c->seen = side_seen(c);
+    num_t limit = num_from_i64(MAX_SLOPE), slope_x = limit, slope_y = limit;
+    if (c->side_y != 0) slope_y = slope_of(x, y, e[0], e[1]);
+    if (c->side_x != 0) slope_x = slope_of(y, x, e[1], e[0]);
+    if (num_cmp(slope_y, limit) < 0 && num_cmp(slope_y, slope_x) <= 0) {
+        c->kind = CHART_NORTH;
+        c->sign = (int8_t)-c->side_y;
+        init_single(c, x, y, z, e[0], e[1], &c->x_ref, &c->y_ref);
+        set_height_shifts(c);
+        for (int32_t i = 0; i < g->nx; i++) {
+            int32_t p = fixed32(num_sub(x_at(c, i), c->x_ref), c->p_bits);
+            column[i].p = c->sign > 0 ? -p : p;
+        }
+    } else if (num_cmp(slope_x, limit) < 0) {
+        c->kind = CHART_EAST;
+        c->sign = (int8_t)-c->side_x;
+        init_single(c, y, x, z, e[1], e[0], &c->y_ref, &c->x_ref);
+        set_height_shifts(c);
+        num_t rise = num_sub(g->z_origin, c->z_ref);
+        for (int32_t i = 0; i < g->nx; i++) {
+            num_t dx = num_sub(x_at(c, i), c->x_ref);
+            int32_t p = fixed32(num_neg(num_mul(c->shear_a, dx)), c->p_bits);
+            column[i].p = c->sign > 0 ? p : -p;
+            column[i].s = fixed32(num_sub(rise, num_mul(c->shear_w, dx)), c->z_bits);
+            column[i].r = fixed_u32(num_div(num_from_i64(1), num_abs(num_sub(x_at(c, i), e[0]))), c->r_bits);
+        }
+    } else {
+        c->kind = CHART_AROUND;
+        init_around(c, x, y, z);
+    }
+}
+
+static inline int32_t upper_half(int32_t n, uint32_t r) {
+    return (int32_t)(((int64_t)n * (int64_t)r) >> 32);
+}
+
+static void row_parallel(const chart_t *c, num_t y, chart_line_t *line) {
+    num_t dy = num_sub(y, c->y_ref);
+    int32_t q = -fixed32(num_mul(c->shear_a, dy), c->p_bits), t = -fixed32(num_mul(c->shear_w, dy), c->z_bits);
+    for (int32_t i = 0; i < c->grid->nx; i++) {
+        int32_t z = (int32_t)((uint32_t)(line->at[i].w >> c->z_down) << c->z_up);
+        line->at[i] = (pencil_t){c->column[i].p + q, z + c->column[i].s + t};
+    }
+}
+
+static void row_north(const chart_t *c, num_t y, chart_line_t *line) {
+    num_t dy = num_sub(y, c->y_ref);
+    int32_t q = -fixed32(num_mul(c->shear_a, dy), c->p_bits);
+    if (c->sign > 0) q = -q;
+    num_t rise = num_sub(num_sub(c->grid->z_origin, c->z_ref), num_mul(c->shear_w, dy));
+    int32_t s = fixed32(rise, c->z_bits);
+    uint32_t r = fixed_u32(num_div(num_from_i64(1), num_abs(num_sub(y, c->cam->eye[1]))), c->r_bits);
+    const chart_column_t *column = c->column;
+    int32_t nx = c->grid->nx;
+    uint8_t up = c->z_up, down = c->z_down;
+    line->r = r;
+    for (int32_t i = 0; i < nx; i++) {
+        int32_t z = (int32_t)((uint32_t)(line->at[i].w >> down) << up);
+        line->at[i] = (pencil_t){upper_half(column[i].p + q, r), upper_half(z + s, r)};
+    }
+}
+
+static void row_east(const chart_t *c, num_t y, chart_line_t *line) {
+    int32_t q = fixed32(num_sub(y, c->y_ref), c->p_bits);
+    if (c->sign < 0) q = -q;
+    for (int32_t i = 0; i < c->grid->nx; i++) {
+        const chart_column_t *k = &c->column[i];
+        int32_t z = (int32_t)((uint32_t)(line->at[i].w >> c->z_down) << c->z_up);
+        line->at[i] = (pencil_t){upper_half(k->p + q, k->r), upper_half(z + k->s, k->r)};
+    }
+}
+
+/* a and w of a point of CHART_AROUND, seen in sector k: 0 south, 1 east, 2 north, 3 west. */
+static inline bool around(const chart_t *c, int sector, int32_t across, int32_t dz, uint32_t r, int32_t b,
+                          pencil_t *at) {
+    int64_t w = ((int64_t)dz * (int64_t)r) >> (c->w_shift + b);
+    if (w > PENCIL_LIMIT || w < -PENCIL_LIMIT) return false;
+    int sh = 31 + b - (CHART_SECTOR_BITS - 1); /* rounded: a diagonal comes out exact */
+    int32_t a = (int32_t)(((int64_t)across * (int64_t)r + ((int64_t)1 << (sh - 1))) >> sh);
+    at->a = a + (2 * sector - 3) * (1 << (CHART_SECTOR_BITS - 1));
+    at->w = (int32_t)w;
+    return true;
+}
+
+bool chart_around(const chart_t *c, int sector, int32_t dx, int32_t dy, int32_t dz, pencil_t *at) {
+    int32_t along = sector & 1 ? dx : dy, across = sector & 1 ? dy : dx;
+    if (sector == 0 || sector == 3) along = -along;
+    if (sector >= 2) across = -across;
+    if (along <= 0) return false;
+    int32_t b;
+    uint32_t r = reciprocal((uint32_t)along, &b);
+    return around(c, sector, across, dz, r, b, at);
+}
+
+int chart_sector(int32_t dx, int32_t dy) {
+    int32_t ax = dx < 0 ? -dx : dx, ay = dy < 0 ? -dy : dy;
+    return ax > ay ? (dx > 0 ? 1 : 3) : (dy > 0 ? 2 : 0);
+}
+
+static void row_around(const chart_t *c, num_t y, chart_line_t *line) {
+    int32_t dy = fixed32(num_sub(y, c->y_ref), c->y_bits), s = fixed32(num_sub(c->grid->z_origin, c->z_ref), c->z_bits);
+    int32_t ay = dy < 0 ? -dy : dy, b = 0;
+    uint32_t r = ay == 0 ? 0 : reciprocal((uint32_t)ay, &b);
+    line->dy = dy;
+    for (int32_t i = 0; i < c->grid->nx; i++) {
+        const chart_column_t *k = &c->column[i];
+        int32_t dx = k->p, dz = (int32_t)((uint32_t)(line->at[i].w >> c->z_down) << c->z_up) + s;
+        int sector = chart_sector(dx, dy);
+        line->z[i] = dz;
+        bool shown = false;
+        if (sector & 1) {
+            shown = around(c, sector, sector == 3 ? -dy : dy, dz, k->r, k->s, &line->at[i]);
+        } else if (ay != 0) {
+            shown = around(c, sector, sector == 2 ? -dx : dx, dz, r, b, &line->at[i]);
+        }
+        /* The cut's two sides have different a: what lies on it takes the careful way of split edges. */
+        if (!shown || (dx == dy && dx < 0)) line->at[i].a = CHART_NONE;
+    }
+}
+
+void chart_row(chart_t *c, int32_t j, chart_line_t *line) {
+    num_t y = y_at(c, j);
+    int32_t nx = c->grid->nx;
+    line->j = j;
+    /* The heights come packed into the upper end of the row's points and are spread out from the front. */
+    int32_t *zi = (int32_t *)(void *)line->at + nx;
+    grid_row(c->grid, j, zi, line->hole);
+    for (int32_t i = 0; i < nx; i++) line->at[i].w = zi[i];
+    switch (c->kind) {
+    case CHART_PARALLEL:
+    case CHART_VERTICAL:
+        row_parallel(c, y, line);
+        break;
+    case CHART_NORTH:
+        row_north(c, y, line);
+        break;
+    case CHART_EAST:
+        row_east(c, y, line);
+        break;
+    case CHART_AROUND:
+        row_around(c, y, line);
+        break;
+    }
+}
+
+int32_t chart_unproject(int32_t u_q30, uint32_t g0, uint32_t g1) {
+    if (g0 == g1 || u_q30 <= 0 || u_q30 >= (1 << 30)) return u_q30;
+    uint64_t n = (uint64_t)(uint32_t)u_q30 * g1, d = n + (uint64_t)((UINT32_C(1) << 30) - (uint32_t)u_q30) * g0;
+    return (int32_t)pencil_fraction(n, d);
+}

@@ -1,0 +1,93 @@
+/* chart.h - from grid points to pencil coordinates (pencil.h).
+ *
+ * A chart is a central projection from the eye onto a vertical plane, so it maps lines to lines. With d = (dx, dy, dz)
+ * the vector from the eye to a point:
+ *
+ *   CHART_PARALLEL   a = across the view,      w = z - climb of the view * depth       no division
+ *   CHART_NORTH      a = -dx / |dy|,  w = dz / |dy|   the eye is beyond the first or last row
+ *   CHART_EAST       a =  dy / |dx|,  w = dz / |dx|   the eye is beyond the first or last column
+ *   CHART_AROUND     four of these, one for each quarter of the compass, side by side along a, counter-clockwise,
+ *                    cut open in the south-west: Anderson's pseudo-angle. For eyes inside the rectangle of the
+ *                    grid, on its border or very close to it.
+ *
+ * Scales. Both numerators are taken relative to the sight line through the middle of the scene before they become
+ * integers, so a viewpoint a million units away loses nothing: all 30 bits show the scene. If the eye is within
+ * the range of a coordinate the sight line keeps that coordinate, so that what lies in a grid plane through the eye
+ * or level with it gets equal integers.
+ * In CHART_AROUND w has no bound below the eye. What is steeper than CHART_AROUND's limit (2^12 times the
+ * slope to the border: three steps on the page around the point below the eye) has no pencil coordinates: chart_line.at
+ * has a == CHART_NONE there, and nothing can stand in front of it.
+ *
+ * Bit budget: numerators 32 bits signed, reciprocals 32 unsigned, products 63 and sign, their upper half is the result.
+ * Error: 1 unit in a and in w; the scene fills at least a fourth of the 2^31 units.
+ * Cost per point: two 32x32->64 products (parallel: none). Per row some 20 operations of num.h. */
+#ifndef CHART_H
+#define CHART_H
+
+#include "scene/grid.h"
+#include "view/camera.h"
+#include "view/pencil.h"
+
+#define CHART_NONE INT32_MIN
+#define CHART_SECTOR_BITS 28 /* CHART_AROUND: a sector is 2^28 units wide, the middle one of three cuts is at 0 */
+#define CHART_BYTES_PER_COLUMN 12
+
+enum chart_kind { CHART_PARALLEL, CHART_NORTH, CHART_EAST, CHART_AROUND, CHART_VERTICAL };
+
+/* A column's constants; which are used depends on the kind. */
+typedef struct chart_column {
+    int32_t p;  /* numerator of a; CHART_AROUND: dx */
+    int32_t s;  /* part of w's numerator; CHART_AROUND: shift of r */
+    uint32_t r; /* reciprocal of the distance */
+} chart_column_t;
+
+typedef struct chart {
+    enum chart_kind kind; /* CHART_VERTICAL: a parallel view straight down or up, nothing hides anything */
+    grid_t *grid;
+    const camera_t *cam;
+    int32_t i0, j0;                 /* the eye's cell, clamped to the grid */
+    int8_t side_x, side_y;          /* -1, 1: the eye is before the first, beyond the last column (row); 0: neither */
+    int8_t seen;                    /* 1: only upper sides can be seen, -1: only lower ones, 0: both */
+    int8_t sign;                    /* of dy (CHART_NORTH) or dx (CHART_EAST) */
+    uint8_t z_down, z_up;           /* heights become (zi >> z_down) << z_up */
+    int16_t p_bits, z_bits, r_bits; /* binary scales of a's and w's numerators and of the reciprocals */
+    int16_t y_bits, w_shift;        /* CHART_AROUND: scale of dy, of w */
+    num_t x_ref, y_ref;             /* the sight line passes over here */
+    num_t shear_a, shear_w;         /* its slopes in plan and in height, per unit of the denominator */
+    num_t z_ref;
+    chart_column_t *column; /* nx, in lent memory */
+} chart_t;
+
+/* One row of the grid in pencil coordinates. */
+typedef struct chart_line {
+    int32_t j;
+    pencil_t *at;  /* nx points */
+    int32_t *z;    /* nx heights relative to the eye (CHART_AROUND), in the scale of w's numerator */
+    uint8_t *hole; /* nx flags, or NULL when the grid has no holes */
+    int32_t dy;    /* CHART_AROUND */
+    uint32_t r;    /* CHART_NORTH: reciprocal of the row's distance */
+} chart_line_t;
+
+/* Chooses the chart for a grid and a view. column: nx constants, must outlive c, as must grid and cam. */
+void chart_init(chart_t *c, grid_t *g, const camera_t *cam, chart_column_t *column);
+
+/* Fills in row j of the grid: line->at, and line->z, line->hole if they are not NULL. */
+void chart_row(chart_t *c, int32_t j, chart_line_t *line);
+
+/* CHART_AROUND: the sector of a direction in plan, 0 south, 1 east, 2 north, 3 west (diagonals: north or south). */
+int chart_sector(int32_t dx, int32_t dy);
+
+/* CHART_AROUND: the sector of an abscissa. */
+static inline int chart_sector_at(int32_t a) {
+    return (a + (2 << CHART_SECTOR_BITS)) >> CHART_SECTOR_BITS;
+}
+
+/* CHART_AROUND: a point, relative to the eye in the chart's scales, as `sector` sees it; the point is in that sector or
+ * on its border. False if it has no coordinates there: too steep, or exactly below the eye. */
+bool chart_around(const chart_t *c, int sector, int32_t dx, int32_t dy, int32_t dz, pencil_t *at);
+
+/* The position in space, of a point that is `u` of the way from end 0 to end 1 in the chart, along an edge whose
+ * ends have the reciprocal distances g0 and g1 (any common scale). Cost: one division; none if g0 == g1. */
+int32_t chart_unproject(int32_t u_q30, uint32_t g0, uint32_t g1);
+
+#endif

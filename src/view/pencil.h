@@ -1,0 +1,26 @@
+/* pencil.h - a point in pencil coordinates: what the chart makes and the horizons are built of.
+ *
+ * The pencil is that of the vertical planes through the eye. `a` says which plane, `w` how high in it the line of
+ * sight passes; both are integers of a scale chosen per scene. Straight lines stay straight, vertical ones
+ * vertical, and of two points with equal a the one with the greater w is seen higher. */
+#ifndef PENCIL_H
+#define PENCIL_H
+
+#include <stdint.h>
+
+#define PENCIL_LIMIT ((INT32_C(1) << 30) - 16) /* |a|, |w| of a scene's points */
+
+typedef struct pencil {
+    int32_t a, w;
+} pencil_t;
+
+/* num / den rounded down; 0 <= num <= den. Good to 2^-24 at least; costs one 64-bit division. */
+static inline uint32_t pencil_fraction(uint64_t num, uint64_t den) {
+    while (den >> 32 != 0) {
+        num >>= 8;
+        den >>= 8;
+    }
+    return den == 0 ? 0 : (uint32_t)((num << 30) / den); /* num < 2^32 */
+}
+
+#endif
