@@ -203,6 +203,20 @@ static inline bool one_line(pencil_t p0, pencil_t p1) {
     return lo == hi || lo >> CHART_SECTOR_BITS == (hi - 1) >> CHART_SECTOR_BITS;
 }
 
+static bool is_vertical(pencil_t p0, pencil_t p1) {
+    return p1.a - p0.a <= VERTICAL_UNITS && p0.a - p1.a <= VERTICAL_UNITS;
+}
+
+bool edges_row_is_vertical(const edges_t *e, const chart_line_t *line, int32_t i) {
+    if (e->chart.kind == CHART_AROUND) return line->dy == 0;
+    return is_vertical(line->at[i], line->at[i + 1]);
+}
+
+bool edges_column_is_vertical(const edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i) {
+    if (e->chart.kind == CHART_AROUND) return e->chart.column[i].p == 0;
+    return is_vertical(line->at[i], next->at[i]);
+}
+
 int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run, bool opening) {
     pencil_t p0 = line->at[i], p1 = line->at[i + 1];
     const chart_column_t *c = e->chart.column;

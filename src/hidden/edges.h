@@ -35,6 +35,10 @@ typedef struct edges {
 int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run, bool opening);
 int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i, run_t *run, bool opening);
 
+/* Is the edge vertical in the chart? Such edges must be clipped before others that end in their vertices. */
+bool edges_row_is_vertical(const edges_t *e, const chart_line_t *line, int32_t i);
+bool edges_column_is_vertical(const edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i);
+
 /* Adds a whole visible edge that the horizons know already. */
 static inline int edges_whole(edges_t *e, uint8_t family, int32_t line, int32_t cell, run_t *run) {
     e->clipped++;

@@ -44,8 +44,10 @@ static int corner_facet(sweep_t *s, int32_t i, int far, bool rightward) {
         err = edges_whole(e, INK_COL, out, s->line[0].j, &s->column_run[out]);
         return err != 0 ? err : edges_whole(e, INK_ROW, lf->j, i, &s->row_run[far]);
     }
-    err = edges_row(e, lf, i, &s->row_run[far], false);
-    return err != 0 ? err : edges_column(e, &s->line[0], &s->line[1], out, &s->column_run[out], false);
+    const bool row_first = edges_row_is_vertical(e, lf, i);
+    err = row_first ? edges_row(e, lf, i, &s->row_run[far], false) : 0;
+    if (err == 0) err = edges_column(e, &s->line[0], &s->line[1], out, &s->column_run[out], false);
+    return row_first || err != 0 ? err : edges_row(e, lf, i, &s->row_run[far], false);
 }
 
 static int column_edge(sweep_t *s, int32_t i) {
@@ -61,20 +63,25 @@ static int row_edge(sweep_t *s, int which, int32_t i) {
     return edges_row(&s->edges, &s->line[which], i, &s->row_run[which], opening);
 }
 
-/* The first facet of a row, and every facet of the eye's row: near edges first, the rest in any order. `inner` is -1
- * for the first facet, otherwise the column that is already done. fresh: both row edges are new; else line `far`. */
+/* The first facet of a row, and every facet of the eye's row: near edges first, then those that are vertical in the
+ * chart, then the rest. inner is -1 for the first facet, otherwise the column that is already done. fresh: both row
+ * edges are new; else line `far`. */
 static int outer_facet(sweep_t *s, int32_t i, int32_t inner, int far, bool fresh) {
-    const chart_t *c = &s->edges.chart;
-    int err = 0;
-    int near_row = fresh && c->side_y != 0 ? (c->side_y > 0 ? 1 : 0) : -1;
-    int32_t near_column = inner < 0 && c->side_x != 0 ? (c->side_x > 0 ? i + 1 : i) : -1;
-    if (near_row >= 0) err = row_edge(s, near_row, i);
-    if (err == 0 && near_column >= 0) err = column_edge(s, near_column);
-    for (int32_t k = i; k <= i + 1 && err == 0; k++) {
-        if (k != inner && k != near_column) err = column_edge(s, k);
+    const edges_t *e = &s->edges;
+    const chart_t *c = &e->chart;
+    const int32_t near_column = c->side_x > 0 ? i + 1 : c->side_x < 0 ? i : -1;
+    const int near_row = c->side_y > 0 ? 1 : c->side_y < 0 ? 0 : -1;
+    int rank[4]; /* of columns i, i + 1 and lines 0, 1 */
+    for (int k = 0; k < 2; k++) {
+        bool vertical = edges_column_is_vertical(e, &s->line[0], &s->line[1], i + k);
+        rank[k] = i + k == inner ? -1 : i + k == near_column ? 0 : vertical ? 1 : 2;
+        rank[2 + k] = !fresh && k != far ? -1 : k == near_row ? 0 : edges_row_is_vertical(e, &s->line[k], i) ? 1 : 2;
     }
-    for (int k = 0; k < 2 && err == 0; k++) {
-        if (k != near_row && (fresh || k == far)) err = row_edge(s, k, i);
+    int err = 0;
+    for (int turn = 0; turn < 3; turn++) {
+        for (int k = 0; k < 4 && err == 0; k++) {
+            if (rank[k] == turn) err = k < 2 ? column_edge(s, i + k) : row_edge(s, k - 2, i);
+        }
     }
     return err;
 }
@@ -147,9 +154,9 @@ static int sweep_all(sweep_t *s, const hidden_job_t *job) {
     const int32_t rows = c->grid->ny - 1;
     int32_t done = 0;
     int err = 0;
-    for (int up = 1; up >= 0 && err == 0; up--) {
+    for (int up = 1; up >= (c->j0 > 0 ? 0 : 1) && err == 0; up--) {
         chart_row(c, c->j0, &s->line[0]);
-        if (up || c->j0 > 0) chart_row(c, c->j0 + 1, &s->line[1]);
+        if (up) chart_row(c, c->j0 + 1, &s->line[1]);
         for (int32_t j = up ? c->j0 : c->j0 - 1; j >= 0 && j < rows && err == 0; j += up ? 1 : -1) {
             if (j != c->j0) { /* the line that is nearer to the eye stays */
                 chart_line_t stays = s->line[up];
