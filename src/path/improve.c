@@ -12,10 +12,10 @@
 #include "path/tour.h"
 #include <stddef.h>
 
-#define SEGMENT_MAX 3      /* strokes moved by Or-opt */
-#define REVERSAL_MAX 30000 /* longer reversals are not worth their cost; strokes in the shorter side */
-#define STRETCH_MAX 30     /* strokes in each of the two stretches that a kick exchanges */
-#define TODO_MAX 64        /* strokes to look at again after a kick */
+#define SEGMENT_MAX 3     /* strokes moved by Or-opt */
+#define REVERSAL_MAX 1000 /* longer reversals are not worth their cost; strokes in the shorter side */
+#define STRETCH_MAX 30    /* strokes in each of the two stretches that a kick exchanges */
+#define TODO_MAX 64       /* strokes to look at again after a kick */
 #define JOURNAL_MAX 64
 
 typedef struct search {
@@ -243,7 +243,7 @@ void tour_improve(tour_t *t, int64_t operations) {
     near_build(&t->near, t->n + 1, NULL);
     descend(&s);
     s.local = true;
-    while (t->n >= 8 && t->budget > 0) {
+    while (t->n >= 4 && t->budget > 0) {
         int32_t cost = kick(&s);
         while (s.todos > 0) cost -= settle(&s, s.todo[--s.todos]);
         if (cost > 0) undo(&s);

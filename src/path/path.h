@@ -61,7 +61,7 @@ typedef struct path {
 
 /* Defaults for a machine of so many steps per mm (q16 as in machine_t; the coarser axis). */
 void path_default(path_config_t *c, uint32_t steps_per_mm_q16);
-/* Prepares p in mem (any alignment, owned by the caller until path_finish). At most an eighth of mem goes to open runs,
+/* Prepares p in mem (any alignment, owned by the caller until path_finish). Open runs have the first claim on it, the
  * the rest is the pool. map and pen must outlive p. Returns 0, ERR_FULL when bytes < PATH_BYTES_MIN, or ERR_VALUE for a
  * step_lat below 8. */
 int path_init(path_t *p, void *mem, size_t bytes, const path_config_t *c, const ink_map_t *map, const pen_sink_t *pen);

@@ -14,8 +14,9 @@
 #define POOL_RUNS_MAX ((int32_t)1 << 28)
 #define POOL_WORK_PER_RUN 32
 #define POOL_BYTES_PER_RUN (sizeof(run_t) + 2 * sizeof(int32_t) + POOL_WORK_PER_RUN)
-#define POOL_BYTES(runs) (((size_t)(runs) + 1) * POOL_BYTES_PER_RUN) /* one more: the pen's place is in the tour, too  \
-                                                                      */
+#define POOL_BYTES(runs)                                                                                               \
+    (((size_t)(runs) + 1) * POOL_BYTES_PER_RUN) /* one more: the pen's place is in the tour, too                       \
+                                                 */
 
 typedef struct pool {
     int32_t n, cap;

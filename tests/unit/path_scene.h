@@ -45,9 +45,15 @@ static inline int drawn_add(drawn_t *d, page_point_t p, bool down) {
     d->strokes += !down;
     return 0;
 }
-static inline int drawn_move(void *ctx, page_point_t p) { return drawn_add(ctx, p, false); }
-static inline int drawn_draw(void *ctx, page_point_t p) { return drawn_add(ctx, p, true); }
-static inline pen_sink_t drawn_sink(drawn_t *d) { return (pen_sink_t){d, drawn_move, drawn_draw}; }
+static inline int drawn_move(void *ctx, page_point_t p) {
+    return drawn_add(ctx, p, false);
+}
+static inline int drawn_draw(void *ctx, page_point_t p) {
+    return drawn_add(ctx, p, true);
+}
+static inline pen_sink_t drawn_sink(drawn_t *d) {
+    return (pen_sink_t){d, drawn_move, drawn_draw};
+}
 static inline void drawn_free(drawn_t *d) {
     free(d->p);
     free(d->down);
