@@ -16,6 +16,10 @@ num_t func_exp_wide(wide_t a);
 /* sin and cos of a defined a with one reduction. */
 void func_sincos(num_t a, num_t *sine, num_t *cosine);
 
+/* The Chebyshev sum of n coefficients in Q60 at t in Q62, |t| <= 1; |result| < 4 in Q60, within n 2^-60. */
+int64_t func_chebyshev(const int64_t *c, int n, int64_t t);
+#define FUNC_CHEBYSHEV(table, t) num_from_fixed(func_chebyshev(table, (int)(sizeof(table) / sizeof *(table)), t), 60)
+
 /* r^2 / 2^64 from two 32-bit products, up to 2 units low but never negative. */
 static inline uint64_t func_square(int64_t r) {
     uint64_t u = ints_abs64(r), h = u >> 32;
