@@ -66,13 +66,13 @@ typedef struct session_chunk {
 
 /* One element of a plot command, as it was typed. */
 typedef struct session_source {
-    enum { SOURCE_EXPR, SOURCE_FILE, SOURCE_INLINE } kind;
-    int32_t column;      /* of the element's first character, for messages */
-    uint32_t name_start; /* a file's name: its string token in the command */
+    enum { SOURCE_EXPR, SOURCE_FILE, SOURCE_INLINE, SOURCE_MESH } kind;
+    int32_t column; /* of the element's first character, for messages */
+    lexer_t name;   /* at the file's name, or at the expression */
     const char *title;
     int32_t title_len;
-    expr_t expr; /* of the element, or of the parts of using: */
-    expr_t part[3];
+    expr_t expr;    /* of the element */
+    expr_t part[3]; /* of using */
     data_spec_t spec;
     int32_t first_grid, grids; /* of data */
 } session_source_t;
@@ -104,11 +104,12 @@ typedef struct session {
     /* The plot command being carried out. */
     struct {
         enum plot_kind kind;
-        lexer_t lx;   /* at the command's first word */
         bool waiting; /* for inline data of source[next] */
         int32_t sources, next;
-        int32_t kept;     /* replot: sources whose data are still in the pool */
-        range_t range[3]; /* given in the command or as set */
+        int32_t kept;     /* replot: elements whose data are still in the pool */
+        bool data_valid;  /* the data of all elements are in the pool */
+        int data_error;   /* of an expression in using, or 0 */
+        range_t range[3]; /* given in the command, or as set */
         size_t code_len;
         session_source_t source[CONFIG_PLOT_ITEMS];
         session_work_t work[CONFIG_PLOT_ITEMS];

@@ -58,7 +58,7 @@ int help_command(session_t *s, lexer_t *lx);
 /* plot_parse.c: the whole command becomes s->plot.source[]; nothing is read or drawn. lx: behind the command's word. */
 int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind);
 /* plot_run.c */
-int plot_command(session_t *s, lexer_t *lx, enum plot_kind kind);
+int plot_command(session_t *s, lexer_t *lx, enum plot_kind kind, const lexer_t *word);
 int plot_replot(session_t *s, lexer_t *lx);
 /* Inline data, any number of characters. *stopped: the line `e` was among them, and the plot went on or is done. */
 int plot_feed(session_t *s, const char *text, size_t n, bool *stopped);

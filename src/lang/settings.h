@@ -20,21 +20,21 @@ enum hidden_mode {
 };
 
 typedef struct settings {
-    range_t x, y, z;           /* autoscaled x, y of a function plot are [-10:10] */
-    int32_t samples[2];        /* set samples a,b; 100,100 */
-    int32_t isosamples[2];     /* set isosamples a,b; 10,10 */
+    range_t x, y, z;       /* autoscaled x, y of a function plot are [-10:10] */
+    int32_t samples[2];    /* set samples a,b; 100,100 */
+    int32_t isosamples[2]; /* set isosamples a,b; 10,10 */
     enum hidden_mode hidden;
-    bool horizon_infinite;     /* set hidden3d horizon infinite: upper side only */
+    bool horizon_infinite; /* set hidden3d horizon infinite: upper side only */
     struct {
-        bool from;             /* set view from ...: perspective; otherwise gnuplot's rotation */
-        num_t rot_x, rot_z;    /* degrees; 60, 30 */
-        num_t scale, zscale;   /* 1, 1 */
+        bool from;           /* set view from ...: perspective; otherwise gnuplot's rotation */
+        num_t rot_x, rot_z;  /* degrees; 60, 30 */
+        num_t scale, zscale; /* 1, 1 */
         num_t eye[3];
-        bool has_to;           /* otherwise: the middle of the scene's box */
+        bool has_to; /* otherwise: the middle of the scene's box */
         num_t to[3];
     } view;
-    bool xyplane_at;           /* set xyplane at Z; otherwise relative: */
-    num_t xyplane;             /* Z, or the fraction of the z range below it: 0.5 (set ticslevel is the same) */
+    bool xyplane_at; /* set xyplane at Z; otherwise relative: */
+    num_t xyplane;   /* Z, or the fraction of the z range below it: 0.5 (set ticslevel is the same) */
     struct {
         int32_t width_um, height_um, margin_um; /* A4 landscape, margin 10 mm */
     } paper;

@@ -176,7 +176,7 @@ static int cell(data_reader_t *r) {
         r->column[2] = num_from_i64(r->block);
     }
     r->column[3] = field_num(f);
-    r->parts = 3;
+    if (!r->spec->parts) r->parts = 3;
     return point(r);
 }
 
@@ -188,7 +188,8 @@ static int value(data_reader_t *r) {
     r->column_at[f->count] = f->column;
     if (f->kind == FIELD_TEXT) r->is_text |= bit;
     /* Columns nobody asked for are not converted; without `using` the first row decides what is asked for. */
-    if (r->spec->parts ? (r->spec->wanted & bit) != 0 : f->count <= 3) r->column[f->count] = field_num(f);
+    if (r->spec->parts ? r->spec->all || (r->spec->wanted & bit) != 0 : f->count <= 3)
+        r->column[f->count] = field_num(f);
     return 0;
 }
 

@@ -24,7 +24,8 @@ typedef struct data_spec {
     char separator;                        /* 0: blanks or a comma */
     int32_t parts;                         /* of using: 0 (not given), 1 (z) or 3 */
     int32_t part[3];                       /* column 1.., USING_... */
-    uint64_t wanted;                       /* bit c: column c is named by a part or inside an expression */
+    uint64_t wanted;                       /* bit c: column c is a part: a row without it is an error */
+    bool all;                              /* expressions may look at any column */
     int32_t first_set, last_set, set_step; /* index: 0, INT32_MAX, 1 */
     int32_t point_step, block_step, first_point, first_block, last_point, last_block; /* every: 1,1,0,0,MAX,MAX */
     /* Computes part number `part` (0..2); reader->column[] holds the row. */

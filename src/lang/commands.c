@@ -1,0 +1,132 @@
+/* commands.c - which command a line holds; the small ones are carried out here. */
+#include "lang/session_parts.h"
+
+/* print a, "text", b: one line, a blank between values. */
+static int print_command(session_t *s, lexer_t *lx) {
+    const session_port_t *port = s->port;
+    char *out = s->frame_name[0]; /* lent: no data file is open now */
+    text_t t = text_start(out, CONFIG_NAME_MAX + 1);
+    for (bool first = true;; first = false) {
+        char buf[CONFIG_NAME_MAX + 1 > VALUE_TEXT_MAX ? CONFIG_NAME_MAX + 1 : VALUE_TEXT_MAX];
+        size_t n;
+        if (lx->tok.kind == TOKEN_STRING) {
+            int err = session_string(s, lx, buf, sizeof buf, "");
+            if (err) return err;
+            n = strlen(buf);
+        } else {
+            value_t v;
+            int err = expr_value(&s->lang, lx, &v, &s->error);
+            if (err) return err;
+            n = value_format(v, buf);
+        }
+        if (n + 2 > t.size - t.len) return session_fail(s, lx, ERR_FULL, "more to print than fits on one line");
+        if (!first) text_add(&t, " ");
+        text_add_bytes(&t, buf, n);
+        if (!lexer_accept(lx, ',')) break;
+    }
+    int err = session_expect_end(s, lx);
+    if (err) return err;
+    text_add(&t, "\n");
+    port->print(port->ctx, out);
+    return 0;
+}
+
+static int pause_command(session_t *s, lexer_t *lx) {
+    char *prompt = s->frame_name[0];
+    int64_t ms = -1;
+    prompt[0] = '\0';
+    if (lexer_is_almost(lx, "mou$se")) { /* there is none: a key will do */
+        lexer_next(lx);
+        while (lx->tok.kind == TOKEN_NAME || lx->tok.kind == ',') lexer_next(lx);
+    } else {
+        num_t seconds;
+        int err = expr_number(&s->lang, lx, &seconds, &s->error);
+        if (err) return err;
+        if (num_sign(seconds) >= 0) {
+            ms = num_to_fixed(num_mul(seconds, num_from_i64(1000)), 0, NULL);
+            if (ms > INT32_MAX) ms = INT32_MAX;
+        }
+    }
+    if (!session_at_end(lx)) {
+        int err = session_string(s, lx, prompt, CONFIG_NAME_MAX + 1, "a text in quotes expected");
+        if (!err) err = session_expect_end(s, lx);
+        if (err) return err;
+    }
+    return s->port->pause(s->port->ctx, prompt, (int32_t)ms);
+}
+
+static int load_command(session_t *s, lexer_t *lx) {
+    lexer_t at = *lx;
+    char *name = s->frame_name[0];
+    int err = session_string(s, lx, name, CONFIG_NAME_MAX + 1, "the name of a file in quotes expected");
+    if (!err) err = session_expect_end(s, lx);
+    return err ? err : session_load(s, name, &at);
+}
+
+static int reset_command(session_t *s, lexer_t *lx) {
+    bool session = lexer_is_almost(lx, "s$ession");
+    if (session || lexer_is_almost(lx, "b$ind") || lexer_is_almost(lx, "err$orstate")) lexer_next(lx);
+    int err = session_expect_end(s, lx);
+    if (err) return err;
+    set_reset(s);
+    if (session) {
+        names_reset(&s->lang);
+        s->last[0] = '\0';
+    }
+    return 0;
+}
+
+static int exit_command(session_t *s, lexer_t *lx) {
+    session_skip(lx); /* as gnuplot: `quit` quits, whatever follows */
+    s->quit = true;
+    return 0;
+}
+
+static int named_command(session_t *s, lexer_t *lx, int index) {
+    lexer_t word = *lx;
+    lexer_next(lx);
+    switch (words_command[index].id) {
+    case CMD_EXIT:
+        return exit_command(s, lx);
+    case CMD_HELP:
+        return help_command(s, lx);
+    case CMD_LOAD:
+        return load_command(s, lx);
+    case CMD_PAUSE:
+        return pause_command(s, lx);
+    case CMD_PLOT:
+        return plot_command(s, lx, PLOT_CURVES, &word);
+    case CMD_PRINT:
+        return print_command(s, lx);
+    case CMD_REPLOT:
+        return plot_replot(s, lx);
+    case CMD_RESET:
+        return reset_command(s, lx);
+    case CMD_SET:
+        return set_command(s, lx);
+    case CMD_SHOW:
+        return show_command(s, lx);
+    case CMD_SPLOT:
+        return plot_command(s, lx, PLOT_SURFACES, &word);
+    case CMD_UNSET:
+        return set_unset_command(s, lx);
+    case CMD_UNSUPPORTED:
+        return lang_error_set_name(&s->error, ERR_UNSUPPORTED, lexer_column(&word), "a command of gnuplot's only",
+                                   lexer_text(&word), word.tok.len);
+    default:
+        session_warn_once(s, s->warned_command, index, "", &word, " is ignored");
+        session_skip(lx);
+        return 0;
+    }
+}
+
+int command_execute(session_t *s, lexer_t *lx) {
+    if (lexer_accept(lx, '?')) return help_command(s, lx);
+    int defined = expr_define(&s->lang, lx, &s->error);
+    if (defined < 0) return defined;
+    if (defined) return session_expect_end(s, lx);
+    int index = words_find(words_command, lx);
+    if (index >= 0) return named_command(s, lx, index);
+    if (lx->tok.kind != TOKEN_NAME) return lexer_unexpected(lx, &s->error, "a command expected");
+    return lang_error_set_name(&s->error, ERR_NAME, lexer_column(lx), "unknown command", lexer_text(lx), lx->tok.len);
+}

@@ -1,0 +1,96 @@
+/* help.c - short texts about the language, one per topic; on a board they lie in flash. */
+#include "lang/session_parts.h"
+
+typedef struct topic {
+    const char *pattern; /* as a command or an option is abbreviated */
+    const char *text;
+} topic_t;
+
+static const char overview[] =
+    "splot f(x,y)       draw a surface; also a data file: splot 'hill.dat', or several: splot f(x,y), 'hill.dat'\n"
+    "plot f(x)          draw a curve\n"
+    "replot             draw the last plot again with the present settings\n"
+    "set/unset/show     xrange yrange zrange samples isosamples view hidden3d title xyplane\n"
+    "                   paper machine dummy datafile; show all\n"
+    "a = 3              set a variable;  f(x,y) = x*y  define a function\n"
+    "print a, f(1,2)    compute\n"
+    "load 'file'  pause -1 'text'  reset  quit  help [word]\n"
+    "Commands may be separated by ;  continued by \\ at the end of a line; # begins a comment.\n"
+    "More: help splot, help set view, help functions, help data, help machine, ...\n";
+
+static const topic_t topics[] = {
+    {"sp$lot", "splot [x0:x1] [y0:y1] [z0:z1] ELEMENT, ELEMENT, ...     short: sp\n"
+               "ELEMENT: an expression in x and y, or 'file', or '-' (rows follow, up to a line e); then\n"
+               "  with lines (w l), title 'text', notitle, and for data: using, index, every, matrix (help data).\n"
+               "A range may name its variable: splot [u=0:1] [v=0:1] u*v. The grid is set isosamples.\n"},
+    {"p$lot", "plot [x0:x1] [y0:y1] f(x), g(x), ...     short: p\nCurves with as many points as set samples.\n"},
+    {"rep$lot", "replot [more elements]     short: rep\nThe last plot again, with its inline data.\n"},
+    {"se$t", "set OPTION ...     short: se\nOptions: xrange yrange zrange samples isosamples view hidden3d title "
+             "xyplane paper\n"
+             "machine dummy datafile autoscale. gnuplot's other options are ignored with a warning. unset OPTION goes\n"
+             "back to the default, show OPTION tells the value.\n"},
+    {"uns$et", "unset OPTION: back to its default; unset hidden3d draws every line.\n"},
+    {"sh$ow", "show OPTION, show all, show variables, show functions, show plot\n"},
+    {"res$et", "reset: all options to their defaults. Variables and functions stay; reset session forgets them too.\n"},
+    {"pr$int", "print VALUE, 'text', ...: one line.\n"},
+    {"l$oad", "load 'file': execute its lines.\n"},
+    {"pa$use", "pause SECONDS ['text'];  pause -1 waits for Return, where there is somebody to press it.\n"},
+    {"q$uit", "quit, exit, q: the end.\n"},
+    {"ex$it", "quit, exit, q: the end.\n"},
+    {"vi$ew",
+     "set view RX,RZ,SCALE,ZSCALE          gnuplot's rotation in degrees: 60,30,1,1. Parts may be left out: ,,,0.7\n"
+     "set view from X,Y,Z [to X,Y,Z]       perspective from a point in the coordinates of the data; without `to` the\n"
+     "                                     middle of the plot is looked at\n"},
+    {"hid$den3d",
+     "set hidden3d [perimeter]             hidden lines removed, the default\n"
+     "set hidden3d horizon [infinite]      profiles across the view (a ridgeline drawing); infinite: one side only\n"
+     "unset hidden3d                       every line is drawn\n"},
+    {"xr$ange", "set xrange [FROM:TO]   [*:5] leaves an end to the data, [5:-5] turns the axis round\n"},
+    {"yr$ange", "set yrange [FROM:TO]   see help xrange\n"},
+    {"zr$ange", "set zrange [FROM:TO]   heights outside of it are not drawn; see help xrange\n"},
+    {"sa$mples", "set samples NX[,NY]: points of a curve, or along the lines of a surface when nothing is hidden.\n"},
+    {"is$osamples", "set isosamples NX[,NY]: columns and rows of the grid that splot computes; 10,10.\n"},
+    {"tit$le", "set title 'text'\n"},
+    {"xyp$lane", "set xyplane at Z, or set xyplane F: the base plane F times the height of the box below it (0.5).\n"},
+    {"ticsl$evel", "set ticslevel F: as set xyplane F.\n"},
+    {"pap$er",
+     "set paper a3|a4|a5|letter|W,H [portrait|landscape] [margin M]     millimetres; a4 landscape margin 10\n"},
+    {"mach$ine",
+     "set machine [steps A[,B]] [speed V] [travel V] [accel A] [junction D] [lift S] [lower S] [enable S]\n"
+     "            [pulse US] [setup US] [invert x|y|xy|none] [swap|noswap] [corexy|cartesian] [size W,H|none]\n"
+     "steps per mm of both motors; mm/s with the pen down (speed) and up (travel); mm/s^2; junction: mm a corner may\n"
+     "be cut by for speed; seconds to lift and lower the pen; pulse width and DIR set-up in microseconds.\n"},
+    {"du$mmy", "set dummy U,V: the variables of expressions in plots are called U and V.\n"},
+    {"dataf$ile", "set datafile separator whitespace|comma|tab|'c'. At first both blanks and commas separate.\n"},
+    {"au$toscale", "set autoscale [x|y|z|xy...]: these ranges follow the data again.\n"},
+    {"data",
+     "splot 'file' [matrix | nonuniform matrix] [index M[:N]] [every A:B:C:D:E:F] [using 1:2:3]\n"
+     "Rows x y z, isolines separated by a blank line, data sets by two; or rows of one z: x and y are then counted\n"
+     "from 0. Points must lie on a grid of x and y lines, spaced as they like. NaN and ? are holes; # begins a\n"
+     "comment. using 1:2:($3*2) computes from columns; using 1 takes one column of heights.\n"},
+    {"fu$nctions",
+     "abs acos asin atan atan2 besj0 besj1 ceil cos cosh erf exp floor gamma int invnorm log log10 max min norm\n"
+     "rand real sgn sin sinh sqrt tan tanh; operators ** ! - + * / % << >> < <= > >= == != & ^ | && || ?:\n"
+     "Integers divide as integers: 7/2 is 3, 7./2 is 3.5. What has no value (1/0, sqrt(-1)) is a hole.\n"
+     "rand(0) in a plot depends on the place only: the same picture comes out every time.\n"},
+};
+
+int help_command(session_t *s, lexer_t *lx) {
+    const session_port_t *port = s->port;
+    if (session_at_end(lx)) {
+        port->print(port->ctx, overview);
+        return 0;
+    }
+    lexer_t last = *lx; /* help set view is about view */
+    while (!session_at_end(lx)) {
+        last = *lx;
+        lexer_next(lx);
+    }
+    for (size_t i = 0; i < sizeof topics / sizeof topics[0]; i++) {
+        if (!lexer_is_almost(&last, topics[i].pattern)) continue;
+        port->print(port->ctx, topics[i].text);
+        return 0;
+    }
+    return lang_error_set_name(&s->error, ERR_NAME, lexer_column(&last), "no help for", lexer_text(&last),
+                               last.tok.len);
+}

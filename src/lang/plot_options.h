@@ -1,0 +1,14 @@
+/* plot_options.h - what may stand behind an element of a plot command. Not for other folders. */
+#ifndef PLOT_OPTIONS_H
+#define PLOT_OPTIONS_H
+
+#include "lang/session.h"
+
+/* matrix, nonuniform, index, every, using: into src->spec and src->part. */
+int plot_options_data(session_t *s, lexer_t *lx, session_source_t *src);
+/* title, with lines, and what concerns colours and widths. */
+int plot_options_style(session_t *s, lexer_t *lx, session_source_t *src);
+/* plot_parse.c: compiles an expression without dummy variables into the plot's code. */
+int plot_options_expression(session_t *s, lexer_t *lx, expr_t *out);
+
+#endif

@@ -1,0 +1,152 @@
+/* plot_parse.c - a whole plot command, checked and compiled before anything is read or drawn.
+ *
+ *     splot [x0:x1] [y0:y1] [z0:z1] f(x,y) with lines title 'f', 'file' using 1:2:($3*2) index 0, '-' matrix ... */
+#include "lang/plot_options.h"
+#include "lang/session_parts.h"
+
+/* The ranges in front; the names in [u=0:1] become the dummy variables. */
+static int ranges(session_t *s, lexer_t *lx, enum plot_kind kind, expr_params_t *params) {
+    const range_t *set[3] = {&s->settings.x, &s->settings.y, &s->settings.z};
+    int axes = kind == PLOT_CURVES ? 2 : 3;
+    params->count = kind == PLOT_CURVES ? 1 : 2;
+    for (int k = 0; k < params->count; k++) {
+        params->name[k].text = s->dummy[k];
+        params->name[k].len = (uint8_t)strlen(s->dummy[k]);
+    }
+    for (int k = 0; k < 3; k++) s->plot.range[k] = *set[k];
+    for (int k = 0; k < axes && lx->tok.kind == '['; k++) {
+        lexer_t name = *lx;
+        int err = set_range(s, lx, &s->plot.range[k], &name);
+        if (err) return err;
+        if (name.tok.kind != TOKEN_NAME) continue;
+        if (k >= params->count) return session_fail(s, &name, ERR_SYNTAX, "this axis has no variable");
+        if (name.tok.len >= sizeof s->dummy[0]) return session_fail(s, &name, ERR_FULL, "this name is too long");
+        params->name[k].text = lexer_text(&name);
+        params->name[k].len = (uint8_t)name.tok.len;
+    }
+    return 0;
+}
+
+static int compile(session_t *s, lexer_t *lx, const expr_params_t *params, expr_t *out) {
+    uint8_t *code = s->plot.code + s->plot.code_len;
+    int err = expr_compile(&s->lang, lx, params, code, sizeof s->plot.code - s->plot.code_len, out, &s->error);
+    if (!err) s->plot.code_len += out->len;
+    return err;
+}
+
+int plot_options_expression(session_t *s, lexer_t *lx, expr_t *out) {
+    return compile(s, lx, NULL, out);
+}
+
+/* One evaluation finds the names that are defined nowhere, before anything is drawn. */
+static int try_out(session_t *s, const session_source_t *src) {
+    uint32_t seed[2] = {s->lang.seed[0], s->lang.seed[1]};
+    num_t at[2];
+    for (int k = 0; k < 2; k++) {
+        const range_t *r = &s->plot.range[k];
+        at[k] = r->auto_lo || r->auto_hi ? num_from_i64(1) : num_ldexp(num_add(r->lo, r->hi), -1);
+    }
+    value_t v;
+    int err = expr_eval(&s->lang, &src->expr, at, &v);
+    s->lang.seed[0] = seed[0];
+    s->lang.seed[1] = seed[1];
+    if (!err) return 0;
+    err = expr_fault(&s->lang, &src->name, &s->error);
+    if (s->error.column == 0) s->error.column = src->column;
+    return err;
+}
+
+static bool ends_in(const char *name, int n, const char *suffix) {
+    int m = (int)strlen(suffix);
+    return n >= m && memcmp(name + n - m, suffix, (size_t)m) == 0;
+}
+
+/* 'file', '-' for inline data, '' for the file before. */
+static int data_name(session_t *s, lexer_t *lx, session_source_t *src) {
+    char *name = s->frame_name[0];
+    int n = lexer_string(lx, name, CONFIG_NAME_MAX + 1);
+    if (n < 0)
+        return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "the file's name is too long; most bytes",
+                                     CONFIG_NAME_MAX);
+    src->kind = ends_in(name, n, ".obj") || ends_in(name, n, ".OBJ") ? SOURCE_MESH : SOURCE_FILE;
+    if (strcmp(name, "-") == 0) {
+        src->kind = SOURCE_INLINE;
+    } else if (strcmp(name, "+") == 0 || strcmp(name, "++") == 0) {
+        return session_fail(s, lx, ERR_UNSUPPORTED, "the pseudo file is not supported; plot an expression");
+    } else if (name[0] == '<') {
+        return session_fail(s, lx, ERR_UNSUPPORTED, "programs cannot be run for data");
+    } else if (n == 0) {
+        const session_source_t *before = src - 1;
+        while (before >= s->plot.source && before->kind != SOURCE_FILE) before--;
+        if (before < s->plot.source) return session_fail(s, lx, ERR_VALUE, "no file was named before this");
+        src->name = before->name;
+    }
+    lexer_next(lx);
+    return 0;
+}
+
+static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_params_t *params) {
+    session_source_t *src = &s->plot.source[s->plot.sources];
+    int32_t first_grid = src->first_grid, grids = src->grids; /* of the last plot: replot may need them */
+    *src = (session_source_t){.column = lexer_column(lx), .name = *lx, .first_grid = first_grid, .grids = grids};
+    data_spec_default(&src->spec);
+    src->spec.separator = s->separator;
+    src->title = lexer_text(lx);
+    int err;
+    if (lx->tok.kind == TOKEN_STRING) {
+        if (kind == PLOT_CURVES)
+            return session_fail(s, lx, ERR_UNSUPPORTED, "plot draws expressions of x only; for data there is splot");
+        err = data_name(s, lx, src);
+        src->title_len = (int32_t)(src->name.tok.len);
+        if (!err) err = plot_options_data(s, lx, src);
+    } else if (lx->tok.kind == '$') {
+        return session_fail(s, lx, ERR_UNSUPPORTED, "data blocks are not supported; use '-' or a file");
+    } else if (lexer_is_name(lx, "for") || lexer_is_name(lx, "keyentry") || lexer_is_name(lx, "sample")) {
+        return lang_error_set_name(&s->error, ERR_UNSUPPORTED, lexer_column(lx), "not supported", lexer_text(lx),
+                                   lx->tok.len);
+    } else {
+        src->kind = SOURCE_EXPR;
+        err = compile(s, lx, params, &src->expr);
+        if (!err && src->expr.columns)
+            return lang_error_set(&s->error, ERR_SYNTAX, src->column, "$ belongs into using");
+        src->title_len = (int32_t)(lexer_text(lx) - src->title);
+        while (src->title_len > 0 && src->title[src->title_len - 1] == ' ') src->title_len--;
+    }
+    if (!err) err = plot_options_style(s, lx, src);
+    if (err) return err;
+    s->plot.sources++;
+    return 0;
+}
+
+int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind) {
+    lexer_t word = *lx;
+    expr_params_t params;
+    s->plot.kind = kind;
+    s->plot.sources = 0;
+    s->plot.code_len = 0;
+    int err = ranges(s, lx, kind, &params);
+    if (err) return err;
+    do {
+        if (session_at_end(lx) && s->plot.sources > 0) break; /* a comma at the end, as gnuplot allows */
+        if (session_at_end(lx)) return session_fail(s, lx, ERR_SYNTAX, "an expression or a file to draw expected");
+        int defined = expr_define(&s->lang, lx, &s->error);
+        if (defined < 0) return defined;
+        if (defined) continue;
+        if (s->plot.sources == CONFIG_PLOT_ITEMS)
+            return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "too much for one plot; most elements",
+                                         CONFIG_PLOT_ITEMS);
+        err = element(s, lx, kind, &params);
+        if (err) return err;
+    } while (lexer_accept(lx, ','));
+    err = session_expect_end(s, lx);
+    if (err) return err;
+    if (s->plot.sources == 0) return session_fail(s, &word, ERR_SYNTAX, "an expression or a file to draw expected");
+    for (int32_t k = 0; k < s->plot.sources && !err; k++) {
+        const session_source_t *src = &s->plot.source[k];
+        if (src->kind == SOURCE_EXPR)
+            err = try_out(s, src);
+        else if (src->kind == SOURCE_MESH && s->plot.sources > 1)
+            err = lang_error_set(&s->error, ERR_UNSUPPORTED, src->column, "a terrain is drawn alone");
+    }
+    return err;
+}

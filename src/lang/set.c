@@ -1,0 +1,262 @@
+/* set.c - `set` and `unset`: which option, and the options that are one number or one text. */
+#include "lang/session_parts.h"
+
+#define GRID_MAX 1000000 /* samples along one side */
+
+void set_reset(session_t *s) {
+    settings_default(&s->settings);
+    s->separator = 0;
+    memcpy(s->dummy[0], "x", 2);
+    memcpy(s->dummy[1], "y", 2);
+}
+
+int set_integer(session_t *s, lexer_t *lx, int32_t lo, int32_t hi, int32_t *out, const char *message) {
+    lexer_t at = *lx;
+    num_t v;
+    int err = expr_number(&s->lang, lx, &v, &s->error);
+    if (err) return err;
+    bool fits;
+    int64_t i = num_to_fixed(num_trunc(v), 0, &fits); /* 3.7 samples are 3, as in gnuplot */
+    if (!fits || i < lo || i > hi) return session_fail(s, &at, ERR_VALUE, message);
+    *out = (int32_t)i;
+    return 0;
+}
+
+int set_scaled(session_t *s, lexer_t *lx, int decimals, int64_t lo, int64_t hi, int64_t *out, const char *message) {
+    lexer_t at = *lx;
+    num_t v;
+    int err = expr_number(&s->lang, lx, &v, &s->error);
+    if (err) return err;
+    bool fits;
+    int64_t i = num_to_fixed(num_mul(v, num_from_decimal(1, decimals)), 0, &fits);
+    if (!fits || i < lo || i > hi) return session_fail(s, &at, ERR_VALUE, message);
+    *out = i;
+    return 0;
+}
+
+/* set samples a[,b]: one number counts for both. */
+static int set_pair(session_t *s, lexer_t *lx, int32_t pair[2], const char *message) {
+    int32_t a = pair[0], b = pair[1];
+    if (lx->tok.kind != ',') {
+        int err = set_integer(s, lx, 2, GRID_MAX, &a, message);
+        if (err) return err;
+        b = a;
+    }
+    if (lexer_accept(lx, ',')) {
+        int err = set_integer(s, lx, 2, GRID_MAX, &b, message);
+        if (err) return err;
+    }
+    int err = session_expect_end(s, lx);
+    if (err) return err;
+    pair[0] = a;
+    pair[1] = b;
+    return 0;
+}
+
+/* Options of a text's looks: known, and without a meaning for a pen. */
+static const word_t looks[] = {
+    {"off$set", 0},     {"font", 0},    {"tc", 0},        {"textcolor", 0}, {"enh$anced", 0},
+    {"noenh$anced", 0}, {"rot$ate", 0}, {"norot$ate", 0}, {"l$eft", 0},     {"r$ight", 0},
+    {"c$enter", 0},     {"boxed", 0},   {"opaque", 0},    {NULL, 0},
+};
+
+static int set_title(session_t *s, lexer_t *lx) {
+    char title[SETTINGS_TITLE_MAX] = "";
+    if (lx->tok.kind == TOKEN_STRING) {
+        int err = session_string(s, lx, title, sizeof title, "");
+        if (err) return err;
+    }
+    if (!session_at_end(lx)) {
+        if (words_find(looks, lx) < 0) return lexer_unexpected(lx, &s->error, "a text in quotes expected");
+        session_skip(lx);
+    }
+    memcpy(s->settings.title, title, sizeof title);
+    return 0;
+}
+
+static int set_dummy(session_t *s, lexer_t *lx) {
+    lexer_t name[2] = {*lx, *lx};
+    bool given[2] = {false, false};
+    for (int k = 0; k < 2; k++) {
+        if (lx->tok.kind == TOKEN_NAME) {
+            if (lx->tok.len >= sizeof s->dummy[k]) return session_fail(s, lx, ERR_FULL, "this name is too long");
+            name[k] = *lx;
+            given[k] = true;
+            lexer_next(lx);
+        }
+        if (!lexer_accept(lx, ',')) break;
+    }
+    if (!given[0] && !given[1]) return lexer_unexpected(lx, &s->error, "the name of a variable expected");
+    int err = session_expect_end(s, lx);
+    if (err) return err;
+    for (int k = 0; k < 2; k++) {
+        if (!given[k]) continue;
+        memcpy(s->dummy[k], lexer_text(&name[k]), name[k].tok.len);
+        s->dummy[k][name[k].tok.len] = '\0';
+    }
+    return 0;
+}
+
+static int set_datafile(session_t *s, lexer_t *lx, int index, const lexer_t *word) {
+    if (!lexer_is_almost(lx, "sep$arators")) {
+        session_warn_once(s, s->warned_set, index, "set ", word,
+                          ": only its separator is known here, the rest is ignored");
+        session_skip(lx);
+        return 0;
+    }
+    lexer_next(lx);
+    char separator = 0;
+    if (lexer_is_almost(lx, "comma")) {
+        separator = ',';
+    } else if (lexer_is_almost(lx, "tab")) {
+        separator = '\t';
+    } else if (lx->tok.kind == TOKEN_STRING) {
+        char c[8];
+        if (lexer_string(lx, c, sizeof c) != 1 || c[0] == '#' || c[0] == '\n')
+            return session_fail(s, lx, ERR_UNSUPPORTED, "a separator is one character");
+        separator = c[0] == ' ' ? '\0' : c[0];
+    } else if (!session_at_end(lx) && !lexer_is_almost(lx, "white$space")) {
+        return lexer_unexpected(lx, &s->error, "whitespace, comma, tab or one character in quotes expected");
+    }
+    if (!session_at_end(lx)) lexer_next(lx);
+    int err = session_expect_end(s, lx);
+    if (!err) s->separator = separator;
+    return err;
+}
+
+/* Everything is drawn with lines already: asking for that is no reason to warn. */
+static bool is_lines_style(lexer_t lx) {
+    if (!lexer_is_almost(&lx, "d$ata") && !lexer_is_almost(&lx, "f$unction")) return false;
+    lexer_next(&lx);
+    if (!lexer_is_almost(&lx, "l$ines")) return false;
+    lexer_next(&lx);
+    return session_at_end(&lx);
+}
+
+static int find_option(session_t *s, lexer_t *lx, const char *missing) {
+    int index = words_find(words_set, lx);
+    if (index >= 0) return index;
+    if (lx->tok.kind != TOKEN_NAME) return lexer_unexpected(lx, &s->error, missing);
+    return lang_error_set_name(&s->error, ERR_NAME, lexer_column(lx), "unknown option", lexer_text(lx), lx->tok.len);
+}
+
+static int unknown(session_t *s, const lexer_t *word) {
+    return lang_error_set_name(&s->error, ERR_NAME, lexer_column(word), "an option of `show` only", lexer_text(word),
+                               word->tok.len);
+}
+
+int set_command(session_t *s, lexer_t *lx) {
+    lexer_t word = *lx;
+    int index = find_option(s, lx, "an option expected; try `help set`");
+    if (index < 0) return index;
+    settings_t *set = &s->settings;
+    lexer_next(lx);
+    switch (words_set[index].id) {
+    case SET_AUTOSCALE:
+        return set_autoscale(s, lx);
+    case SET_DATAFILE:
+        return set_datafile(s, lx, index, &word);
+    case SET_DUMMY:
+        return set_dummy(s, lx);
+    case SET_HIDDEN3D:
+        return set_hidden3d(s, lx);
+    case SET_ISOSAMPLES:
+        return set_pair(s, lx, set->isosamples, "isosamples must be between 2 and 1000000");
+    case SET_MACHINE:
+        return set_machine(s, lx);
+    case SET_PAPER:
+        return set_paper(s, lx);
+    case SET_SAMPLES:
+        return set_pair(s, lx, set->samples, "samples must be between 2 and 1000000");
+    case SET_TITLE:
+        return set_title(s, lx);
+    case SET_VIEW:
+        return set_view(s, lx);
+    case SET_XRANGE:
+        return set_range_option(s, lx, &set->x);
+    case SET_YRANGE:
+        return set_range_option(s, lx, &set->y);
+    case SET_ZRANGE:
+        return set_range_option(s, lx, &set->z);
+    case SET_XYPLANE:
+    case SET_TICSLEVEL:
+        return set_xyplane(s, lx);
+    case SET_STYLE:
+        if (is_lines_style(*lx)) {
+            session_skip(lx);
+            return 0;
+        } /* fall through */
+    case SET_IGNORED:
+        session_warn_once(s, s->warned_set, index, "set ", &word, " is ignored");
+        session_skip(lx);
+        return 0;
+    default:
+        return unknown(s, &word);
+    }
+}
+
+int set_unset_command(session_t *s, lexer_t *lx) {
+    lexer_t word = *lx;
+    int index = find_option(s, lx, "an option expected; try `help unset`");
+    if (index < 0) return index;
+    settings_t *set = &s->settings;
+    settings_t fresh;
+    lexer_next(lx);
+    uint8_t id = words_set[index].id;
+    if (id == SET_IGNORED || id == SET_STYLE) {
+        session_warn_once(s, s->warned_set, index, "unset ", &word, " is ignored");
+        session_skip(lx);
+        return 0;
+    }
+    int err = session_expect_end(s, lx);
+    if (err) return err;
+    settings_default(&fresh);
+    switch (id) {
+    case SET_AUTOSCALE:
+        return 0; /* ranges that were set stay set */
+    case SET_DATAFILE:
+        s->separator = 0;
+        return 0;
+    case SET_DUMMY:
+        memcpy(s->dummy[0], "x", 2);
+        memcpy(s->dummy[1], "y", 2);
+        return 0;
+    case SET_HIDDEN3D:
+        set->hidden = HIDDEN_NONE;
+        return 0;
+    case SET_ISOSAMPLES:
+        memcpy(set->isosamples, fresh.isosamples, sizeof fresh.isosamples);
+        return 0;
+    case SET_MACHINE:
+        set->machine = fresh.machine;
+        return 0;
+    case SET_PAPER:
+        set->paper = fresh.paper;
+        return 0;
+    case SET_SAMPLES:
+        memcpy(set->samples, fresh.samples, sizeof fresh.samples);
+        return 0;
+    case SET_TITLE:
+        set->title[0] = '\0';
+        return 0;
+    case SET_VIEW:
+        set->view = fresh.view;
+        return 0;
+    case SET_XRANGE:
+        set->x = fresh.x;
+        return 0;
+    case SET_YRANGE:
+        set->y = fresh.y;
+        return 0;
+    case SET_ZRANGE:
+        set->z = fresh.z;
+        return 0;
+    case SET_XYPLANE:
+    case SET_TICSLEVEL:
+        set->xyplane_at = fresh.xyplane_at;
+        set->xyplane = fresh.xyplane;
+        return 0;
+    default:
+        return unknown(s, &word);
+    }
+}

@@ -1,0 +1,111 @@
+/* set_range.c - axis ranges: [lo:hi], [hi:lo], [*:5], [:5], [u=0:1]; and autoscale. */
+#include "lang/session_parts.h"
+
+/* One end: a number, `*` for autoscale, or nothing for as it was. */
+static int range_end(session_t *s, lexer_t *lx, bool *automatic, num_t *value, bool *given) {
+    *given = false;
+    if (lx->tok.kind == ':' || lx->tok.kind == ']') return 0;
+    if (lx->tok.kind == '*') {
+        lexer_next(lx);
+        *automatic = true;
+        return 0;
+    }
+    int err = expr_number(&s->lang, lx, value, &s->error);
+    if (err) return err;
+    *automatic = false;
+    *given = true;
+    return 0;
+}
+
+int set_range(session_t *s, lexer_t *lx, range_t *r, lexer_t *name) {
+    lexer_t bracket = *lx;
+    if (!lexer_accept(lx, '[')) return lexer_unexpected(lx, &s->error, "a range [from:to] expected");
+    if (name && lx->tok.kind == TOKEN_NAME) {
+        lexer_t after = *lx;
+        lexer_next(&after);
+        if (after.tok.kind == '=') {
+            *name = *lx;
+            lexer_next(&after);
+            *lx = after;
+        }
+    }
+    /* The ends in the order they are typed. */
+    bool auto_from = r->reverse ? r->auto_hi : r->auto_lo, auto_to = r->reverse ? r->auto_lo : r->auto_hi;
+    num_t from = r->reverse ? r->hi : r->lo, to = r->reverse ? r->lo : r->hi;
+    bool given_from = false, given_to = false;
+    int err = range_end(s, lx, &auto_from, &from, &given_from);
+    if (err) return err;
+    if (lexer_accept(lx, ':')) {
+        err = range_end(s, lx, &auto_to, &to, &given_to);
+        if (err) return err;
+    } else if (given_from) {
+        return lexer_unexpected(lx, &s->error, "':' expected");
+    }
+    if (!lexer_accept(lx, ']')) return lexer_unexpected(lx, &s->error, "']' expected");
+    bool reverse = r->reverse;
+    if (auto_from || auto_to) {
+        reverse = false;
+    } else if (given_from || given_to) {
+        int order = num_cmp(from, to);
+        if (order == 0) return session_fail(s, &bracket, ERR_VALUE, "this range is empty");
+        reverse = order > 0;
+    }
+    *r = (range_t){reverse ? auto_to : auto_from, reverse ? auto_from : auto_to, reverse, reverse ? to : from,
+                   reverse ? from : to};
+    return 0;
+}
+
+int set_range_option(session_t *s, lexer_t *lx, range_t *out) {
+    range_t r = *out;
+    if (lexer_is_almost(lx, "re$store")) {
+        lexer_next(lx);
+        r = (range_t){.auto_lo = true, .auto_hi = true};
+    } else if (lx->tok.kind == '[') {
+        int err = set_range(s, lx, &r, NULL);
+        if (err) return err;
+    }
+    while (!session_at_end(lx)) {
+        if (lexer_is_almost(lx, "rev$erse"))
+            r.reverse = true;
+        else if (!lexer_is_almost(lx, "norev$erse") && !lexer_is_almost(lx, "wr$iteback") &&
+                 !lexer_is_almost(lx, "nowri$teback") && !lexer_is_almost(lx, "ext$end") &&
+                 !lexer_is_almost(lx, "noext$end"))
+            return lexer_unexpected(lx, &s->error, "a range [from:to] expected");
+        lexer_next(lx);
+    }
+    *out = r;
+    return 0;
+}
+
+/* set autoscale [x|y|z|xy|xyz, with min, max or fix]. */
+int set_autoscale(session_t *s, lexer_t *lx) {
+    range_t *axis[3] = {&s->settings.x, &s->settings.y, &s->settings.z};
+    const range_t all = {.auto_lo = true, .auto_hi = true};
+    if (session_at_end(lx)) {
+        for (int k = 0; k < 3; k++) *axis[k] = all;
+        return 0;
+    }
+    do {
+        const char *p = lexer_text(lx);
+        size_t n = lx->tok.kind == TOKEN_NAME ? lx->tok.len : 0;
+        size_t axes = 0;
+        while (axes < n && p[axes] >= 'x' && p[axes] <= 'z') axes++;
+        bool min = words_match("min", p + axes, n - axes), max = words_match("max", p + axes, n - axes);
+        bool both = n == axes || words_match("fix", p + axes, n - axes);
+        bool other = words_match("cb", p, n) || words_match("x2", p, n) || words_match("y2", p, n) ||
+                     words_match("noext$end", p, n) || words_match("keepfix", p, n) || words_match("fix", p, n);
+        if (n == 0 || (!other && (axes == 0 || (!min && !max && !both))))
+            return lexer_unexpected(lx, &s->error, "axes expected, such as x, xy or zmax");
+        for (size_t i = 0; !other && i < axes; i++) {
+            range_t *r = axis[p[i] - 'x'];
+            if (both) {
+                *r = all;
+            } else {
+                if (min) r->auto_lo = true;
+                if (max) r->auto_hi = true;
+            }
+        }
+        lexer_next(lx);
+    } while (lexer_accept(lx, ',') || lx->tok.kind == TOKEN_NAME);
+    return session_expect_end(s, lx);
+}

@@ -1,0 +1,256 @@
+/* show.c - what is set, in the words one would set it with. */
+#include "lang/session_parts.h"
+
+static void show_end(text_t *t, const range_t *r, bool high) {
+    if (high ? r->auto_hi : r->auto_lo)
+        text_add(t, "*");
+    else
+        text_add_num(t, high ? r->hi : r->lo);
+}
+
+static void show_range(text_t *t, const char *name, const range_t *r) {
+    text_add(t, "set ");
+    text_add(t, name);
+    text_add(t, "range [");
+    bool turned = r->reverse && !r->auto_lo && !r->auto_hi;
+    show_end(t, r, turned);
+    text_add(t, ":");
+    show_end(t, r, !turned);
+    text_add(t, r->reverse && !turned ? "] reverse\n" : "]\n");
+}
+
+static void show_pair(text_t *t, const char *what, const int32_t pair[2]) {
+    text_add(t, what);
+    text_add_int(t, pair[0]);
+    text_add(t, ",");
+    text_add_int(t, pair[1]);
+    text_add(t, "\n");
+}
+
+static void show_point(text_t *t, const char *what, const num_t p[3]) {
+    text_add(t, what);
+    for (int k = 0; k < 3; k++) {
+        if (k) text_add(t, ",");
+        text_add_num(t, p[k]);
+    }
+}
+
+static void show_view(text_t *t, const settings_t *set) {
+    if (set->view.from) {
+        show_point(t, "set view from ", set->view.eye);
+        if (set->view.has_to) show_point(t, " to ", set->view.to);
+    } else {
+        const num_t v[3] = {set->view.rot_x, set->view.rot_z, set->view.scale};
+        show_point(t, "set view ", v);
+        text_add(t, ",");
+        text_add_num(t, set->view.zscale);
+    }
+    text_add(t, "\n");
+}
+
+static void show_hidden(text_t *t, const settings_t *set) {
+    static const char *const name[] = {[HIDDEN_PERIMETER] = "set hidden3d perimeter",
+                                       [HIDDEN_HORIZON] = "set hidden3d horizon",
+                                       [HIDDEN_NONE] = "unset hidden3d"};
+    text_add(t, name[set->hidden]);
+    text_add(t, set->hidden == HIDDEN_HORIZON && set->horizon_infinite ? " infinite\n" : "\n");
+}
+
+static void show_paper(text_t *t, const settings_t *set) {
+    text_add(t, "set paper ");
+    text_add_scaled(t, set->paper.width_um, 3);
+    text_add(t, ",");
+    text_add_scaled(t, set->paper.height_um, 3);
+    text_add(t, " margin ");
+    text_add_scaled(t, set->paper.margin_um, 3);
+    text_add(t, "\n");
+}
+
+static void show_value(text_t *t, const char *word, int64_t v, int decimals) {
+    text_add(t, word);
+    text_add_scaled(t, v, decimals);
+}
+
+void show_machine(session_t *s, text_t *t) {
+    const machine_t *m = &s->settings.machine;
+    text_add(t, "set machine steps ");
+    for (int k = 0; k < 2; k++) {
+        if (k) text_add(t, ",");
+        text_add_num(t, num_from_fixed(m->steps_per_mm_q16[k], 16));
+    }
+    show_value(t, " speed ", m->draw_speed_um_s, 3);
+    show_value(t, " travel ", m->travel_speed_um_s, 3);
+    show_value(t, " accel ", m->accel_um_s2, 3);
+    show_value(t, " junction ", m->junction_um, 3);
+    show_value(t, " lift ", m->lift_us, 6);
+    show_value(t, " lower ", m->lower_us, 6);
+    show_value(t, " enable ", m->enable_us, 6);
+    show_value(t, " pulse ", m->pulse_ns, 3);
+    show_value(t, " setup ", m->dir_setup_ns, 3);
+    text_add(t, " invert ");
+    text_add(t, m->invert[0] ? (m->invert[1] ? "xy" : "x") : (m->invert[1] ? "y" : "none"));
+    text_add(t, m->swap_xy ? " swap" : " noswap");
+    text_add(t, m->kinematics == MACHINE_COREXY ? " corexy" : " cartesian");
+    if (m->width_um || m->height_um) {
+        show_value(t, " size ", m->width_um, 3);
+        show_value(t, ",", m->height_um, 3);
+    } else {
+        text_add(t, " size none");
+    }
+    text_add(t, "\n");
+}
+
+static void show_xyplane(text_t *t, const settings_t *set) {
+    text_add(t, set->xyplane_at ? "set xyplane at " : "set xyplane relative ");
+    text_add_num(t, set->xyplane);
+    text_add(t, "\n");
+}
+
+static void show_title(text_t *t, const settings_t *set) {
+    text_add(t, "set title '");
+    text_add(t, set->title);
+    text_add(t, "'\n");
+}
+
+static void show_datafile(const session_t *s, text_t *t) {
+    text_add(t, "set datafile separator ");
+    if (s->separator == '\t') {
+        text_add(t, "tab\n");
+    } else if (s->separator) {
+        text_add(t, "'");
+        text_add_bytes(t, &s->separator, 1);
+        text_add(t, "'\n");
+    } else {
+        text_add(t, "whitespace\n");
+    }
+}
+
+static void show_symbols(session_t *s, enum symbol_kind kind) {
+    const lang_t *l = &s->lang;
+    for (int i = 0; i < l->symbols; i++) {
+        const symbol_t *y = &l->symbol[i];
+        if (y->kind != kind || !y->defined) continue;
+        char line[128];
+        text_t t = text_start(line, sizeof line - 1);
+        text_add_bytes(&t, (const char *)l->pool + y->name, y->name_len);
+        if (kind == SYMBOL_VARIABLE) {
+            char value[VALUE_TEXT_MAX];
+            text_add(&t, " = ");
+            text_add_bytes(&t, value, value_format(y->u.value, value));
+        } else {
+            text_add(&t, "() of ");
+            text_add_int(&t, y->params);
+            text_add(&t, y->params == 1 ? " argument" : " arguments");
+        }
+        t.size++;
+        text_add(&t, "\n");
+        s->port->print(s->port->ctx, line);
+    }
+}
+
+/* One option; false if there is nothing to tell. */
+static bool show_option(session_t *s, uint8_t id) {
+    char buf[320];
+    text_t t = text_start(buf, sizeof buf);
+    const settings_t *set = &s->settings;
+    switch (id) {
+    case SET_XRANGE:
+        show_range(&t, "x", &set->x);
+        break;
+    case SET_YRANGE:
+        show_range(&t, "y", &set->y);
+        break;
+    case SET_ZRANGE:
+        show_range(&t, "z", &set->z);
+        break;
+    case SET_AUTOSCALE:
+        show_range(&t, "x", &set->x);
+        show_range(&t, "y", &set->y);
+        show_range(&t, "z", &set->z);
+        break;
+    case SET_SAMPLES:
+        show_pair(&t, "set samples ", set->samples);
+        break;
+    case SET_ISOSAMPLES:
+        show_pair(&t, "set isosamples ", set->isosamples);
+        break;
+    case SET_HIDDEN3D:
+        show_hidden(&t, set);
+        break;
+    case SET_VIEW:
+        show_view(&t, set);
+        break;
+    case SET_TITLE:
+        show_title(&t, set);
+        break;
+    case SET_XYPLANE:
+    case SET_TICSLEVEL:
+        show_xyplane(&t, set);
+        break;
+    case SET_PAPER:
+        show_paper(&t, set);
+        break;
+    case SET_MACHINE:
+        show_machine(s, &t);
+        break;
+    case SET_DATAFILE:
+        show_datafile(s, &t);
+        break;
+    case SET_DUMMY:
+        text_add(&t, "set dummy ");
+        text_add(&t, s->dummy[0]);
+        text_add(&t, ",");
+        text_add(&t, s->dummy[1]);
+        text_add(&t, "\n");
+        break;
+    case SET_STYLE:
+        text_add(&t, "set style data lines\n");
+        break;
+    case SET_VERSION:
+        text_add(&t, "Ridgeline; its language is a subset of gnuplot 5.4's\n");
+        break;
+    case SET_VARIABLES:
+        show_symbols(s, SYMBOL_VARIABLE);
+        return true;
+    case SET_FUNCTIONS:
+        show_symbols(s, SYMBOL_FUNCTION);
+        return true;
+    default:
+        return false;
+    }
+    s->port->print(s->port->ctx, buf);
+    return true;
+}
+
+int show_command(session_t *s, lexer_t *lx) {
+    static const uint8_t all[] = {SET_TITLE,   SET_XRANGE,     SET_YRANGE,   SET_ZRANGE,    SET_XYPLANE,
+                                  SET_SAMPLES, SET_ISOSAMPLES, SET_VIEW,     SET_HIDDEN3D,  SET_PAPER,
+                                  SET_MACHINE, SET_DUMMY,      SET_DATAFILE, SET_VARIABLES, SET_FUNCTIONS};
+    if (session_at_end(lx)) return lexer_unexpected(lx, &s->error, "an option expected; try `show all`");
+    lexer_t word = *lx;
+    bool plot = lexer_is_almost(lx, "p$lot");
+    int index = plot ? 0 : words_find(words_set, lx);
+    if (index < 0) {
+        if (lx->tok.kind != TOKEN_NAME) return lexer_unexpected(lx, &s->error, "an option expected; try `show all`");
+        return lang_error_set_name(&s->error, ERR_NAME, lexer_column(lx), "unknown option", lexer_text(lx),
+                                   lx->tok.len);
+    }
+    lexer_next(lx);
+    uint8_t id = words_set[index].id;
+    if (id == SET_IGNORED) {
+        session_warn_once(s, s->warned_set, index, "show ", &word, ": this option is ignored here");
+        session_skip(lx);
+        return 0;
+    }
+    int err = session_expect_end(s, lx);
+    if (err) return err;
+    if (plot) {
+        s->port->print(s->port->ctx, s->last);
+        s->port->print(s->port->ctx, "\n");
+    } else if (id == SET_ALL) {
+        for (size_t i = 0; i < sizeof all; i++) show_option(s, all[i]);
+    } else {
+        show_option(s, id);
+    }
+    return 0;
+}
