@@ -40,7 +40,7 @@ int plot_options_expression(session_t *s, lexer_t *lx, expr_t *out) {
 
 /* One evaluation finds the names that are defined nowhere, before anything is drawn. */
 static int try_out(session_t *s, const session_source_t *src) {
-    uint32_t seed[2] = {s->lang.seed[0], s->lang.seed[1]};
+    int32_t seed[2] = {s->lang.seed[0], s->lang.seed[1]};
     num_t at[2];
     for (int k = 0; k < 2; k++) {
         const range_t *r = &s->plot.range[k];
@@ -106,6 +106,7 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
                                    lx->tok.len);
     } else {
         src->kind = SOURCE_EXPR;
+        if (s->parametric) return session_fail(s, lx, ERR_UNSUPPORTED, "parametric and polar plots are not supported");
         err = compile(s, lx, params, &src->expr);
         if (!err && src->expr.columns)
             return lang_error_set(&s->error, ERR_SYNTAX, src->column, "$ belongs into using");

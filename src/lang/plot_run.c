@@ -190,7 +190,7 @@ static int draw(session_t *s) {
     if (n < 0) return n;
     range_t *const axis[3] = {&s->settings.x, &s->settings.y, &s->settings.z};
     range_t set[3];
-    uint32_t seed[2] = {s->lang.seed[0], s->lang.seed[1]};
+    int32_t seed[2] = {s->lang.seed[0], s->lang.seed[1]};
     for (int k = 0; k < 3; k++) {
         set[k] = *axis[k];
         *axis[k] = s->plot.range[k];

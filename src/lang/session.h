@@ -93,6 +93,7 @@ typedef struct session {
     lang_error_t error;                                                           /* of the last line that failed */
     uint8_t warned_command[WORDS_COMMAND_MAX / 8], warned_set[WORDS_SET_MAX / 8]; /* bits */
     bool quit;
+    bool parametric;                   /* set parametric: expressions would mean something else */
     bool in_last;                      /* the error is in `last` (replot), not in the frame's line */
     char dummy[2][LANG_ERROR_MAX / 4]; /* set dummy */
     char separator;                    /* set datafile separator; 0: blanks and commas */

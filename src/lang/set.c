@@ -6,6 +6,7 @@
 void set_reset(session_t *s) {
     settings_default(&s->settings);
     s->separator = 0;
+    s->parametric = false;
     memcpy(s->dummy[0], "x", 2);
     memcpy(s->dummy[1], "y", 2);
 }
@@ -15,7 +16,7 @@ int set_integer(session_t *s, lexer_t *lx, int32_t lo, int32_t hi, int32_t *out,
     num_t v;
     int err = expr_number(&s->lang, lx, &v, &s->error);
     if (err) return err;
-    bool fits;
+    bool fits = true;
     int64_t i = num_to_fixed(num_trunc(v), 0, &fits); /* 3.7 samples are 3, as in gnuplot */
     if (!fits || i < lo || i > hi) return session_fail(s, &at, ERR_VALUE, message);
     *out = (int32_t)i;
@@ -27,7 +28,7 @@ int set_scaled(session_t *s, lexer_t *lx, int decimals, int64_t lo, int64_t hi, 
     num_t v;
     int err = expr_number(&s->lang, lx, &v, &s->error);
     if (err) return err;
-    bool fits;
+    bool fits = true;
     int64_t i = num_to_fixed(num_mul(v, num_from_decimal(1, decimals)), 0, &fits);
     if (!fits || i < lo || i > hi) return session_fail(s, &at, ERR_VALUE, message);
     *out = i;
@@ -187,6 +188,8 @@ int set_command(session_t *s, lexer_t *lx) {
             return 0;
         } /* fall through */
     case SET_IGNORED:
+    case SET_PARAMETRIC:
+        if (words_set[index].id == SET_PARAMETRIC) s->parametric = true;
         session_warn_once(s, s->warned_set, index, "set ", &word, " is ignored");
         session_skip(lx);
         return 0;
@@ -203,7 +206,8 @@ int set_unset_command(session_t *s, lexer_t *lx) {
     settings_t fresh;
     lexer_next(lx);
     uint8_t id = words_set[index].id;
-    if (id == SET_IGNORED || id == SET_STYLE) {
+    if (id == SET_IGNORED || id == SET_STYLE || id == SET_PARAMETRIC) {
+        if (id == SET_PARAMETRIC) s->parametric = false;
         session_warn_once(s, s->warned_set, index, "unset ", &word, " is ignored");
         session_skip(lx);
         return 0;

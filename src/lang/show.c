@@ -237,7 +237,7 @@ int show_command(session_t *s, lexer_t *lx) {
     }
     lexer_next(lx);
     uint8_t id = words_set[index].id;
-    if (id == SET_IGNORED) {
+    if (id == SET_IGNORED || id == SET_PARAMETRIC) {
         session_warn_once(s, s->warned_set, index, "show ", &word, ": this option is ignored here");
         session_skip(lx);
         return 0;

@@ -45,6 +45,7 @@ enum set_id {
     SET_ISOSAMPLES,
     SET_MACHINE,
     SET_PAPER,
+    SET_PARAMETRIC, /* and polar: ignored, but plots of expressions are refused while it is set */
     SET_SAMPLES,
     SET_STYLE,
     SET_TITLE,

@@ -1,6 +1,8 @@
 /* expr_surface.c - points of an expression, computed on demand. */
 #include "scene/expr_surface.h"
 
+#define SEED_MASK 0x3fffffffu /* rand() takes seeds from 1 to 2^31 - 250 */
+
 void expr_surface_source(expr_source_t *s, lang_t *lang, const expr_t *expr) {
     *s = (expr_source_t){.lang = lang, .expr = *expr, .random = expr_is_impure(lang, expr)};
     s->seed[0] = lang->seed[0];
@@ -16,10 +18,10 @@ static uint64_t mix(uint64_t h, num_t a) {
 }
 
 static void seed_for(expr_source_t *s, const num_t *at, int n) {
-    uint64_t h = (uint64_t)s->seed[0] << 32 | s->seed[1];
+    uint64_t h = (uint64_t)(uint32_t)s->seed[0] << 32 | (uint32_t)s->seed[1];
     for (int k = 0; k < n; k++) h = mix(h, at[k]);
-    s->lang->seed[0] = (uint32_t)h;
-    s->lang->seed[1] = (uint32_t)(h >> 32);
+    s->lang->seed[0] = (int32_t)(h & SEED_MASK) + 1;
+    s->lang->seed[1] = (int32_t)(h >> 32 & SEED_MASK) + 1;
 }
 
 static num_t evaluate(expr_source_t *s, const num_t *at, int n) {

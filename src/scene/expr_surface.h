@@ -18,7 +18,7 @@ typedef struct expr_source {
     lang_t *lang;
     expr_t expr;      /* of 2 parameters for a surface, 1 for a curve */
     bool random;      /* uses rand() */
-    uint32_t seed[2]; /* of this plot */
+    int32_t seed[2];  /* of this plot */
     int error;        /* the first error of an evaluation, or 0; details: expr_fault() at once */
 } expr_source_t;
 
