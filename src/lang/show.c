@@ -108,7 +108,7 @@ static void show_xyplane(text_t *t, const settings_t *set) {
 
 static void show_title(text_t *t, const settings_t *set) {
     text_add(t, "set title '");
-    text_add(t, set->title);
+    for (const char *c = set->title; *c; c++) text_add_bytes(t, *c == '\'' ? "''" : c, *c == '\'' ? 2 : 1);
     text_add(t, "'\n");
 }
 
