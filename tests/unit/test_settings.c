@@ -31,13 +31,14 @@ static void check_range(const range_t *r, bool auto_lo, double lo, bool auto_hi,
 /* `show` prints commands: feeding them back to a fresh session must give the same settings and the same text. */
 static void show_can_be_fed_back(void **state) {
     fixture_t *f = *state;
-    assert_int_equal(fixture_feed(f, "set xrange [3:-2.5]; set yrange [*:7]; set zrange [1e-9:2e10]; set samples 7,8\n"
-                                     "set isosamples 11; set view from 6,8,3.25 to 0,1,-1; set hidden3d horizon infinite\n"
-                                     "set title 'A hill'; set xyplane at -2; set paper 200,150.5 margin 7.25\n"
-                                     "set dummy u,v; set datafile separator ';'\n"
-                                     "set machine steps 80,100.5 speed 90 travel 150 accel 1500 junction 0.02 lift 0.15\n"
-                                     "set machine lower 0.2 pulse 2.5 setup 1.5 enable 0.3 invert xy swap corexy size 300,200"),
-                     0);
+    assert_int_equal(
+        fixture_feed(f, "set xrange [3:-2.5]; set yrange [*:7]; set zrange [1e-9:2e10]; set samples 7,8\n"
+                        "set isosamples 11; set view from 6,8,3.25 to 0,1,-1; set hidden3d horizon infinite\n"
+                        "set title 'A hill'; set xyplane at -2; set paper 200,150.5 margin 7.25\n"
+                        "set dummy u,v; set datafile separator ';'\n"
+                        "set machine steps 80,100.5 speed 90 travel 150 accel 1500 junction 0.02 lift 0.15\n"
+                        "set machine lower 0.2 pulse 2.5 setup 1.5 enable 0.3 invert xy swap corexy size 300,200"),
+        0);
     static char shown[8192], feed[8192];
     settings_t before = *settings(f);
     assert_int_equal(fixture_feed(f, "show all"), 0);
@@ -179,8 +180,9 @@ static void titles(void **state) {
 
 static void help_says_something(void **state) {
     fixture_t *f = *state;
-    static const char *const topics[] = {"",       " splot",   " set view", " sp",        " set",       " functions", " data",
-                                         " print", " machine", " set paper", " hidden3d", " isosamples", " quit",      " set xr"};
+    static const char *const topics[] = {"",           " splot",      " set view", " sp",      " set",
+                                         " functions", " data",       " print",    " machine", " set paper",
+                                         " hidden3d",  " isosamples", " quit",     " set xr"};
     for (size_t i = 0; i < sizeof topics / sizeof topics[0]; i++) {
         char line[64];
         snprintf(line, sizeof line, "help%s", topics[i]);
