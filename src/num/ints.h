@@ -27,7 +27,10 @@ static inline int64_t ints_with_sign(uint64_t a, int64_t s) {
     return (int64_t)((a ^ sign) - sign);
 }
 
-/* floor(sqrt(a)). Cost on a Cortex-M0: about 400 instructions. */
+/* 1 / sqrt(x / 2^32) in Q30 for x >= 2^30, within 2^-28.5 relative. */
+uint32_t ints_rsqrt(uint32_t x);
+
+/* floor(sqrt(a)). No division. */
 uint32_t ints_sqrt_u64(uint64_t a);
 
 /* a / b to nearest; b != 0, and not INT64_MIN / -1. A 64-bit division. */

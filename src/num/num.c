@@ -5,6 +5,19 @@
 _Static_assert(-1 >> 1 == -1, "right shift of a negative number must be arithmetic");
 _Static_assert(sizeof(num_t) == 16, "num_t must travel in two registers");
 
+num_t num_fast_outside(int32_t e) {
+    return (num_t){0, 0, e > 0};
+}
+
+num_t num_fast_add_rare(num_t a, num_t b) {
+    if (a.undef || b.undef) return (num_t){0, 0, true};
+    return a.m == 0 ? b : a;
+}
+
+num_t num_fast_mul_rare(num_t a, num_t b) {
+    return (num_t){0, 0, a.undef || b.undef};
+}
+
 num_t num_undef(void) {
     return (num_t){0, 0, true};
 }
@@ -70,18 +83,21 @@ num_t num_ldexp(num_t a, int shift) {
 }
 
 num_t num_sqrt(num_t a) {
-    if (a.m <= 0) return a.m == 0 ? a : num_undef();
-    /* root of X = m * 2^k, k = 62 or 63 such that the exponent halves: in [2^62, 2^63) */
+    if (NUM_FAST_RARE(a.m <= 0)) return a.m == 0 ? a : num_undef();
+    /* s = sqrt(u 2^62) in [2^62, 2^63), u = m or 2 m such that the exponent halves. */
     int odd = a.e & 1;
-    uint64_t m = (uint64_t)a.m, hi = m >> (2 - odd), lo = m << (62 + odd), rem;
-    /* One Newton step from 31 good bits; the mean of y and X/y is never below the root, and too large by
-     * less than 2. */
-    uint64_t y = (uint64_t)ints_sqrt_u64(m << odd) << 31;
-    uint64_t q = wide_div_u64(hi, lo, y, &rem);
-    y = (y + q) >> 1;
-    wide_u_t sq = wide_mul_u64(y, y);
-    if (sq.hi > hi || (sq.hi == hi && sq.lo > lo)) y--;
-    return num_fast_make((int64_t)y, (a.e - 62 - odd) / 2);
+    uint64_t u = (uint64_t)a.m << odd;
+    uint32_t x = (uint32_t)(u >> 32), r = ints_rsqrt(x);
+    uint64_t s = ((uint64_t)x * r) >> 31;                /* Q31, good to 2^-28 */
+    int64_t rest = (int64_t)(u - (s * s << 2));          /* Q64: 2^38 at most */
+    s = (s << 32) + (uint64_t)(((rest >> 7) * r) >> 25); /* Q63, good to 2^-56 */
+    /* The second correction, from the exact remainder, is to nearest: exact for squares. */
+    wide_u_t square = wide_mul_u64(s, s);
+    wide_t left = wide_sub((wide_t){(int64_t)(u >> 2), u << 62}, (wide_t){(int64_t)square.hi, square.lo});
+    int64_t left42 = (int64_t)wide_sar(left, 42).lo; /* below 2^32 */
+    s += (uint64_t)((left42 * r + ((int64_t)1 << 51)) >> 52);
+    s -= s >> 63; /* sqrt(2^64 - 2) is within 2^-32 of a tie */
+    return num_fast_make((int64_t)s, (a.e - 62 - odd) / 2);
 }
 
 num_t num_ipow(num_t a, int32_t n) {

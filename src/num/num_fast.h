@@ -17,10 +17,16 @@
 #define NUM_FAST_E_MAX (NUM_EXP_LIMIT - 63)
 #define NUM_FAST_RARE(condition) __builtin_expect(!!(condition), 0)
 
+/* What the operations do with a zero, an undefined operand or an exponent outside: out of line, so that the
+ * usual path stays short. */
+num_t num_fast_outside(int32_t e);         /* undefined above the limit, zero below */
+num_t num_fast_add_rare(num_t a, num_t b); /* a or b without significand */
+num_t num_fast_mul_rare(num_t a, num_t b);
+
 /* m * 2^e for a normalised m; any e: undefined above the limit, zero below. */
 static inline num_t num_fast_make(int64_t m, int32_t e) {
     if (NUM_FAST_RARE((uint32_t)(e - NUM_FAST_E_MIN) > (uint32_t)(NUM_FAST_E_MAX - NUM_FAST_E_MIN)))
-        return (num_t){0, 0, e > 0};
+        return num_fast_outside(e);
     return (num_t){m, e, false};
 }
 
@@ -37,29 +43,24 @@ static inline num_t num_fast_neg(num_t a) {
 }
 
 static inline num_t num_fast_add(num_t a, num_t b) {
-    if (NUM_FAST_RARE(a.m == 0 || b.m == 0)) {
-        if (a.undef || b.undef) return (num_t){0, 0, true};
-        return a.m == 0 ? b : a;
-    }
-    int32_t d = a.e - b.e;
-    num_t big = d < 0 ? b : a, small = d < 0 ? a : b;
+    if (NUM_FAST_RARE(a.m == 0 || b.m == 0)) return num_fast_add_rare(a, b);
+    int32_t d = a.e - b.e, e = d < 0 ? b.e : a.e;
+    int64_t big = d < 0 ? b.m : a.m, small = d < 0 ? a.m : b.m;
     d = d < 0 ? -d : d;
-    if (NUM_FAST_RARE(d > 63)) return big; /* small is below half a unit of big */
-    /* With the sign of `big` divided out: B in [2^62, 2^63), |S| < 2^63, aligned to hi:lo with 64 extra bits. */
-    int64_t sign = big.m >> 63;
-    uint64_t B = ints_abs64(big.m);
-    int64_t S = (small.m ^ sign) - sign;
-    uint64_t lo = ((uint64_t)S << 1) << (63 - d);
-    uint64_t u = B + (uint64_t)(S >> d); /* 0 <= u < 2^64, except: d == 0 and B < -S */
-    uint64_t flip = (uint64_t)((S & (int64_t)u) >> 63);
-    u = (u ^ flip) - flip;
-    sign ^= (int64_t)flip;
-    if (NUM_FAST_RARE(u == 0)) return num_fast_normal(lo, big.e - 64, sign); /* cancelled, d <= 1 */
+    if (NUM_FAST_RARE(d > 63)) return (num_t){big, e, false}; /* small is below half a unit of big */
+    /* With the sign of `big` divided out, and 64 bits more below the point: B in [2^62, 2^63), |S| < 2^63. */
+    int64_t sign = big >> 63, S = (small ^ sign) - sign;
+    uint64_t u = ints_abs64(big) + (uint64_t)(S >> d), lo = ((uint64_t)S << 1) << (63 - d);
+    /* 0 <= u < 2^64, except when d == 0 and B < -S: then it is the other's sign, and lo is 0 */
+    int64_t flip = (S & (int64_t)u) >> 63;
+    u = (u ^ (uint64_t)flip) - (uint64_t)flip;
+    sign ^= flip;
+    if (NUM_FAST_RARE(u == 0)) return num_fast_normal(lo, e - 64, sign); /* cancelled: d <= 1 */
     int n = ints_clz64(u);
     u = u << n | (lo >> 1) >> (63 - n);
-    uint64_t r = (u >> 1) + (u & 1);
-    if (NUM_FAST_RARE(r >> 63)) return num_fast_make(ints_with_sign(r >> 1, sign), big.e + 2 - n);
-    return num_fast_make(ints_with_sign(r, sign), big.e + 1 - n);
+    u = (u >> 1) + (u & 1);
+    if (NUM_FAST_RARE(u >> 63)) return num_fast_make(ints_with_sign(u >> 1, sign), e + 2 - n);
+    return num_fast_make(ints_with_sign(u, sign), e + 1 - n);
 }
 
 static inline num_t num_fast_sub(num_t a, num_t b) {
@@ -67,7 +68,7 @@ static inline num_t num_fast_sub(num_t a, num_t b) {
 }
 
 static inline num_t num_fast_mul(num_t a, num_t b) {
-    if (NUM_FAST_RARE(a.m == 0 || b.m == 0)) return (num_t){0, 0, a.undef || b.undef};
+    if (NUM_FAST_RARE(a.m == 0 || b.m == 0)) return num_fast_mul_rare(a, b);
     /* |a.m| |b.m| is in [2^124, 2^126): four times it has its top at bit 126 or 127. */
     wide_u_t p = wide_mul_u64(ints_abs64(a.m) << 1, ints_abs64(b.m) << 1);
     uint64_t h = p.hi + (p.lo >> 63); /* no carry out: p.hi <= 2^64 - 4 */

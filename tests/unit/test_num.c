@@ -117,6 +117,15 @@ static void square_roots(void **state) {
         int64_t n = (int64_t)(next() >> 33);
         assert_same(num_sqrt(num_from_i64(n * n)), num_from_i64(n));
     }
+    for (int i = 0; i < 64; i++) { /* both ends of the significand */
+        num_t a = {i & 1 ? INT64_MAX - i / 4 : ((int64_t)1 << 62) + i / 4, i >> 1 & 1, false};
+        num_t r = num_sqrt(a);
+        assert_true(is_normal(r));
+        set_num(x, a);
+        mpfr_sqrt(x, x, MPFR_RNDN);
+        double u = ulps(r, x);
+        if (u > worst) worst = u;
+    }
     printf("# num_sqrt worst error %.3f ulp of 2^-62\n", worst);
     assert_true(worst < 1);
     assert_true(num_sqrt(num_from_i64(-1)).undef);
