@@ -121,7 +121,7 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
 
 int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind) {
     lexer_t word = *lx;
-    expr_params_t params;
+    expr_params_t params = {0};
     s->plot.kind = kind;
     s->plot.sources = 0;
     s->plot.code_len = 0;

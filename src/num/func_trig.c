@@ -52,7 +52,7 @@ static uint32_t reduce(num_t a, wide_t *r) {
     int32_t k = (int32_t)(((int64_t)a11 * 1367130551 + ((int64_t)1 << 35)) >> 36); /* 128/pi in Q25 */
     /* pi/128 in Q158 is 0x01921fb54442d184'69898cc51701b839'a252049c */
     wide_t step = wide_mul_s64(k, 0x69898cc51701b839);
-    step.hi += k * (int64_t)0x01921fb54442d184;
+    step.hi = (int64_t)((uint64_t)step.hi + (uint64_t)(int64_t)k * 0x01921fb54442d184); /* wraps as step does */
     step = wide_add(step, wide_from_s64(((int64_t)k * 0xa252049c) >> 32));
     *r = wide_sub(wide_shl(wide_from_s64(a.m), a.e + 126), step);
     return (uint32_t)k & 255;

@@ -21,6 +21,7 @@ static int32_t exponent_of(num_t d) {
 
 /* floor(d / 2^exp), for exp >= exponent_of(d). */
 static int32_t units(num_t d, int32_t exp) {
+    if (d.m == 0) return 0; /* whose e says nothing */
     int32_t shift = exp - d.e;
     if (shift > 63) shift = 63;
     return (int32_t)(d.m >> shift);
