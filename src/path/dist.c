@@ -11,31 +11,31 @@ static const uint16_t ROOT_Q14[97] = {
     29251, 29394, 29537, 29678, 29819, 29960, 30099, 30238, 30377, 30515, 30652, 30788, 30924, 31059,
     31194, 31328, 31462, 31595, 31727, 31859, 31991, 32122, 32252, 32382, 32511, 32640, 32768};
 
-/* 2^22 sqrt(v / 2^26), 2^26 <= v < 2^28. */
-static uint32_t root_q22(uint32_t v) {
-    uint32_t k = (v >> 21) - 32, f = v & 0x1fffff;
-    uint32_t lo = ROOT_Q14[k], hi = ROOT_Q14[k + 1];
-    return (lo << 8) + ((hi - lo) * (f >> 13));
+/* 2^up sqrt(square), to the nearest. */
+static uint32_t root(uint32_t square, int up) {
+    if (square == 0) return 0;
+    int shift = __builtin_clz(square) & ~1;
+    uint32_t v = square << shift; /* in [2^30, 2^32), its root in 2^15 [1, 2) */
+    uint32_t k = (v >> 25) - 32, part = (v >> 17) & 0xff;
+    uint32_t root_q22 = ((uint32_t)ROOT_Q14[k] << 8) + (uint32_t)(ROOT_Q14[k + 1] - ROOT_Q14[k]) * part;
+    int down = 22 - 15 + shift / 2 - up;
+    return down > 0 ? (root_q22 + (1u << (down - 1))) >> down : root_q22 << -down;
+}
+
+uint32_t dist_root(uint32_t square) {
+    return root(square, 0);
 }
 
 uint32_t dist_of(int32_t dx, int32_t dy) {
     uint32_t ax = dx < 0 ? 0u - (uint32_t)dx : (uint32_t)dx, ay = dy < 0 ? 0u - (uint32_t)dy : (uint32_t)dy;
     uint32_t big = ax > ay ? ax : ay;
-    if (big == 0) return 0;
-    int shift = 17 - __builtin_clz(big); /* make the larger one fill 15 bits */
+    int shift = big < 1u << 15 ? 0 : 17 - __builtin_clz(big); /* to 15 bits, rounded */
     if (shift > 0) {
-        uint32_t round = 1u << (shift - 1);
-        ax = (ax + round) >> shift;
-        ay = (ay + round) >> shift;
-    } else {
-        ax <<= -shift;
-        ay <<= -shift;
+        uint32_t half = 1u << (shift - 1);
+        ax = (ax + half) >> shift;
+        ay = (ay + half) >> shift;
     }
-    uint32_t sum = ax * ax + ay * ay; /* in [2^28, 2^31] */
-    int half = sum >= 1u << 30 ? 2 : 1;
-    uint32_t root = root_q22(sum >> (2 * half)); /* 2^22 sqrt(sum / 2^(26 + 2 half)) */
-    int down = 22 - 13 - half - shift;
-    return down > 0 ? (root + (1u << (down - 1))) >> down : root << -down;
+    return root(ax * ax + ay * ay, shift);
 }
 
 uint32_t dist_between(page_point_t a, page_point_t b) {

@@ -8,6 +8,8 @@
 
 #include "view/page.h"
 
+/* Square root of a sum of squares, to the nearest integer or its neighbour. */
+uint32_t dist_root(uint32_t square);
 /* Length of (dx, dy), |dx| and |dy| < 2^31, in their unit. */
 uint32_t dist_of(int32_t dx, int32_t dy);
 uint32_t dist_between(page_point_t a, page_point_t b);

@@ -28,7 +28,7 @@ typedef struct search {
 
 static int32_t gap(search_t *s, int32_t a, int32_t b) {
     s->t->budget--;
-    return (int32_t)dist_of(s->t->spot[a].x - s->t->spot[b].x, s->t->spot[a].y - s->t->spot[b].y);
+    return (int32_t)dist_root(near_square(s->t->spot[a], s->t->spot[b]));
 }
 
 static int32_t after(const tour_t *t, int32_t place) {
@@ -85,56 +85,72 @@ static void exchange(search_t *s, int32_t a, int32_t b, int32_t c, int32_t d) {
     reverse(s, from, to);
 }
 
-/* A change found for the end a with link b: c is to be next to a. e == c ^ 1 ... of a segment, or -1 for 2-opt. */
+/* A change found for the end a with link b: c is to be next to a. The segment that moves is c..e; e is -1 for 2-opt. */
 typedef struct change {
     int32_t gain, a, b, c, d, e, f;
 } change_t;
 
-static void try_two(search_t *s, change_t *best, int32_t a, int32_t b, int32_t c, int32_t saved) {
-    const tour_t *t = s->t;
-    int32_t d = link_of(t, c);
-    int32_t gain = saved + gap(s, c, d) - gap(s, b, d);
-    if (gain <= best->gain) return;
-    int32_t length = t->place[a >> 1] - t->place[c >> 1], all = t->n + 1;
+/* Would joining a and c turn round more of the circle than it is worth? */
+static bool is_far(const tour_t *t, int32_t a, int32_t c) {
+    int32_t length = t->place[a >> 1] - t->place[c >> 1];
     if (length < 0) length = -length;
-    if (length > REVERSAL_MAX && all - length > REVERSAL_MAX) return;
-    *best = (change_t){gain, a, b, c, d, -1, -1};
+    return length > REVERSAL_MAX && t->n + 1 - length > REVERSAL_MAX;
 }
 
-static void try_segment(search_t *s, change_t *best, int32_t a, int32_t b, int32_t c, int32_t saved) {
-    const tour_t *t = s->t;
-    int32_t d = link_of(t, c), length = t->place[a >> 1] - t->place[c >> 1], all = t->n + 1;
-    if (length < 0) length = -length;
-    if (length > REVERSAL_MAX && all - length > REVERSAL_MAX) return;
+/* saved: the link a - b without a - c. What would make the gain smaller is computed only while it can still be the
+ * best. */
+static void try_two(search_t *s, change_t *best, int32_t c, int32_t saved) {
+    int32_t d = link_of(s->t, c), gain = saved + gap(s, c, d);
+    if (gain > best->gain) gain -= gap(s, best->b, d);
+    if (gain > best->gain) *best = (change_t){gain, best->a, best->b, c, d, -1, -1};
+}
+
+static void try_segment(search_t *s, change_t *best, int32_t c, int32_t saved) {
+    const int32_t a = best->a, b = best->b, d = link_of(s->t, c);
     saved += gap(s, c, d);
     for (int32_t k = 0, start = c; k < SEGMENT_MAX; k++) {
         if (start >> 1 == a >> 1 || start >> 1 == b >> 1) return;
-        int32_t e = start ^ 1, f = link_of(t, e);
-        int32_t gain = saved + gap(s, e, f) - gap(s, e, b) - gap(s, d, f);
+        int32_t e = start ^ 1, f = link_of(s->t, e), gain = saved + gap(s, e, f);
+        if (gain > best->gain) gain -= gap(s, e, b);
+        if (gain > best->gain) gain -= gap(s, d, f);
         if (gain > best->gain) *best = (change_t){gain, a, b, c, d, e, f};
         start = f;
     }
 }
 
-/* The best change for the end a among its neighbours in the grid. */
+/* Looks among the items of one cell for a neighbour c of a that is nearer than its link, and tries the changes it
+ * suggests. */
+static void find_in_cell(search_t *s, change_t *best, const near_cell_t *cell, int32_t ab) {
+    const tour_t *t = s->t;
+    const int32_t a = best->a, b = best->b, *item = &t->near.item[cell->start];
+    const spot_t at = t->spot[a];
+    const uint32_t limit = near_square(at, t->spot[b]);
+    const bool out = is_exit(t, a);
+    int32_t count = cell->count < NEAR_CELL_SCAN ? (int32_t)cell->count : NEAR_CELL_SCAN;
+    s->t->budget -= count / 4;
+    for (int32_t i = 0; i < count; i++) {
+        int32_t c = item[i];
+        if (near_square(at, t->spot[c]) >= limit || c >> 1 == a >> 1) continue;
+        int32_t saved = ab - gap(s, a, c);
+        if (is_far(t, a, c)) continue;
+        if (out == is_exit(t, c)) try_two(s, best, c, saved);
+        try_segment(s, best, c, saved);
+    }
+}
+
+/* The best change for the end a. */
 static change_t find(search_t *s, int32_t a) {
-    tour_t *t = s->t;
+    const tour_t *t = s->t;
+    const near_t *g = &t->near;
     int32_t b = link_of(t, a), ab = gap(s, a, b);
-    uint32_t limit = near_square(t->spot[a], t->spot[b]);
-    int32_t cx = t->spot[a].x >> t->near.shift, cy = t->spot[a].y >> t->near.shift;
     change_t best = {0, a, b, -1, -1, -1, -1};
+    int32_t x = t->spot[a].x, y = t->spot[a].y, cx = x >> g->shift, cy = y >> g->shift;
+    int32_t x0 = (x - ab) >> g->shift, x1 = (x + ab) >> g->shift, y0 = (y - ab) >> g->shift, y1 = (y + ab) >> g->shift;
     if (ab == 0) return best;
-    for (int32_t q = 0; q < 9; q++) {
-        const near_cell_t *cell = near_cell_at(&t->near, cx + q % 3 - 1, cy + q / 3 - 1);
-        if (!cell) continue;
-        uint32_t count = cell->count < NEAR_CELL_SCAN ? cell->count : NEAR_CELL_SCAN;
-        t->budget -= count / 4;
-        for (uint32_t i = 0; i < count; i++) {
-            int32_t c = t->near.item[cell->start + i];
-            if (c >> 1 == a >> 1 || near_square(t->spot[a], t->spot[c]) >= limit) continue;
-            int32_t saved = ab - gap(s, a, c);
-            if (is_exit(t, a) == is_exit(t, c)) try_two(s, &best, a, b, c, saved);
-            try_segment(s, &best, a, b, c, saved);
+    for (int32_t j = y0 < cy ? cy - 1 : cy; j <= (y1 > cy ? cy + 1 : cy); j++) {
+        for (int32_t i = x0 < cx ? cx - 1 : cx; i <= (x1 > cx ? cx + 1 : cx); i++) {
+            const near_cell_t *cell = near_cell_at(g, i, j);
+            if (cell) find_in_cell(s, &best, cell, ab);
         }
     }
     return best;

@@ -10,13 +10,10 @@
 /* A full pool draws a half of its strokes; the rest stays to be continued. Smaller parts make 3 % fewer strokes, but
  * travel twice as far to them; keeping the youngest strokes instead of the farthest does the same. */
 #define FLUSH_PART 2
-/* Operations beyond which a large pool gets only EFFORT_LARGE a run: ordering has to stay linear. */
-#define OPERATIONS_MAX ((int64_t)1 << 20)
-#define EFFORT_LARGE 64
 
 void path_default(path_config_t *c, uint32_t steps_per_mm_q16) {
     uint64_t lat_q16 = (uint64_t)LAT_PER_MM << 32;
-    *c = (path_config_t){.effort = 2000};
+    *c = (path_config_t){.effort = 1000, .effort_max = 1 << 20};
     c->step_lat = steps_per_mm_q16 ? (int32_t)((lat_q16 / steps_per_mm_q16 + (1 << 15)) >> 16) : LAT_PER_MM;
 }
 
@@ -84,8 +81,7 @@ static int flush(path_t *p, bool all) {
     tour_collect(&tour, &chain, p->at, p->config.home);
     tour_greedy(&tour);
     int64_t operations = (int64_t)p->config.effort * tour.n;
-    int64_t least = (int64_t)EFFORT_LARGE * tour.n;
-    if (operations > OPERATIONS_MAX) operations = least > OPERATIONS_MAX ? least : OPERATIONS_MAX;
+    if (operations > p->config.effort_max) operations = p->config.effort_max;
     tour_improve(&tour, operations);
     tour_settle(&tour);
     int32_t count = all ? tour.n : (tour.n + FLUSH_PART - 1) / FLUSH_PART;
@@ -119,7 +115,7 @@ static bool wants_pairs(const path_config_t *c, uint32_t pairs, size_t bytes) {
 }
 
 int path_init(path_t *p, void *mem, size_t bytes, const path_config_t *c, const ink_map_t *map, const pen_sink_t *pen) {
-    if (c->step_lat < 8 || c->lines < 0 || c->effort < 0) return ERR_VALUE;
+    if (c->step_lat < 8 || c->lines < 0 || c->effort < 0 || c->effort_max < 0) return ERR_VALUE;
     if (!mem || bytes < PATH_BYTES_MIN) return ERR_FULL;
     size_t skip = (8 - (uintptr_t)mem % 8) % 8, left = bytes - skip;
     uint32_t pairs = 1;
