@@ -196,13 +196,6 @@ static int clip_around(edges_t *e, place_t p, place_t q, bool opening) {
     return clip_in_sector(e, from, q, from_q30, ONE_Q30, opening);
 }
 
-/* Are both ends coordinates of one sector? Then the edge is a line of the chart. */
-static inline bool one_line(pencil_t p0, pencil_t p1) {
-    if (p0.a == CHART_NONE || p1.a == CHART_NONE) return false;
-    int32_t lo = min32(p0.a, p1.a), hi = max32(p0.a, p1.a);
-    return lo == hi || lo >> CHART_SECTOR_BITS == (hi - 1) >> CHART_SECTOR_BITS;
-}
-
 static bool is_vertical(pencil_t p0, pencil_t p1) {
     return p1.a - p0.a <= VERTICAL_UNITS && p0.a - p1.a <= VERTICAL_UNITS;
 }
@@ -227,7 +220,7 @@ int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run, bool 
         e->edge.g0 = c[i].r;
         e->edge.g1 = c[i + 1].r;
     } else if (e->chart.kind == CHART_AROUND) {
-        if (!one_line(p0, p1)) {
+        if (!edges_in_one_sector(p0, p1)) {
             return clip_around(e, (place_t){c[i].p, line->dy, line->z[i]},
                                (place_t){c[i + 1].p, line->dy, line->z[i + 1]}, opening);
         }
@@ -249,7 +242,7 @@ int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next,
         e->edge.g0 = line->r;
         e->edge.g1 = next->r;
     } else if (e->chart.kind == CHART_AROUND) {
-        if (!one_line(p0, p1)) {
+        if (!edges_in_one_sector(p0, p1)) {
             return clip_around(e, (place_t){c[i].p, line->dy, line->z[i]}, (place_t){c[i].p, next->dy, next->z[i]},
                                opening);
         }

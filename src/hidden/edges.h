@@ -39,6 +39,13 @@ int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next,
 bool edges_row_is_vertical(const edges_t *e, const chart_line_t *line, int32_t i);
 bool edges_column_is_vertical(const edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i);
 
+/* CHART_AROUND: have both points coordinates, in one sector? Then a line between them is a line of the chart. */
+static inline bool edges_in_one_sector(pencil_t p, pencil_t q) {
+    if (p.a == CHART_NONE || q.a == CHART_NONE) return false;
+    int32_t lo = p.a < q.a ? p.a : q.a, hi = p.a < q.a ? q.a : p.a;
+    return lo == hi || lo >> CHART_SECTOR_BITS == (hi - 1) >> CHART_SECTOR_BITS;
+}
+
 /* Adds a whole visible edge that the horizons know already. */
 static inline int edges_whole(edges_t *e, uint8_t family, int32_t line, int32_t cell, run_t *run) {
     e->clipped++;

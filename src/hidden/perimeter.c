@@ -37,8 +37,10 @@ static int corner_facet(sweep_t *s, int32_t i, int far, bool rightward) {
     pencil_t n = ln->at[in], b = ln->at[out], c = lf->at[in], f = lf->at[out];
     const bool ascending = rightward != (far == 1);
     bool whole = false;
-    if (e->has_upper) whole = advance(s, &e->upper, ascending, n, b, c, f);
-    if (!whole && e->has_lower) whole = advance(s, &e->lower, ascending, mirror(n), mirror(b), mirror(c), mirror(f));
+    const bool straight = e->chart.kind != CHART_AROUND || edges_in_one_sector(b, c);
+    if (straight && e->has_upper) whole = advance(s, &e->upper, ascending, n, b, c, f);
+    if (straight && !whole && e->has_lower)
+        whole = advance(s, &e->lower, ascending, mirror(n), mirror(b), mirror(c), mirror(f));
     int err;
     if (whole) {
         err = edges_whole(e, INK_COL, out, s->line[0].j, &s->column_run[out]);
