@@ -89,15 +89,6 @@ static inline void push(envelope_t *h, int32_t a, int32_t w) {
     *h->l++ = (pencil_t){a, w};
 }
 
-/* Moves the gap so that everything up to and including a is on its left. */
-static inline void seek(envelope_t *h, int32_t a) {
-    pencil_t *l = h->l, *r = h->r;
-    while (r->a <= a) *l++ = *r++;
-    while (l[-1].a > a) *--r = *--l;
-    h->l = l;
-    h->r = r;
-}
-
 /* Nearest to x + d * t. */
 static inline int32_t along(int32_t x, int32_t d, int32_t t_q30) {
     return x + (int32_t)(((int64_t)d * t_q30 + (1 << 29)) >> 30);
@@ -164,7 +155,7 @@ static inline int finish(clip_t *c, int32_t at_q30, envelope_take_t take, void *
 
 int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, void *ctx, envelope_count_t *count) {
     clip_t c = {.h = h, .p = p, .q = q};
-    seek(h, p.a);
+    envelope_seek(h, p.a);
     int err = room(h);
     if (err != 0) return err;
     pencil_t v = h->l[-1]; /* start of the current piece; v.a <= the current abscissa */
@@ -232,7 +223,7 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
 }
 
 int32_t envelope_height(envelope_t *h, int32_t a_lo, int32_t a_hi) {
-    seek(h, a_lo - 1);
+    envelope_seek(h, a_lo - 1);
     int32_t top = ordinate(h->l[-1], *h->r, a_lo);
     const pencil_t *p = h->r;
     for (; p->a <= a_hi; p++) top = max32(top, p->w);

@@ -95,12 +95,22 @@ static inline bool envelope_same(pencil_t p, pencil_t q) {
     return p.a == q.a && p.w == q.w;
 }
 
+/* Moves the gap so that everything up to and including a is on its left. */
+static inline void envelope_seek(envelope_t *h, int32_t a) {
+    pencil_t *l = h->l, *r = h->r;
+    while (r->a <= a) *l++ = *r++;
+    while (l[-1].a > a) *--r = *--l;
+    h->l = l;
+    h->r = r;
+}
+
 /* The common case of a surface that faces the eye: the horizon passes through n between its vertices l and r, and a
  * facet's far chain l-f-r rises above l-n-r everywhere. Then f takes the place of n and nothing else changes. True if
- * so; otherwise nothing has happened. The sweep's direction says on which side of the gap n is: `ascending` for
+ * so; otherwise only the gap has moved. The sweep's direction says on which side of the gap n is: `ascending` for
  * facets taken in ascending a. Cost: six comparisons of ordinates, at most two orientations; nothing moves. */
 static inline bool envelope_advance(envelope_t *h, bool ascending, pencil_t l, pencil_t n, pencil_t r, pencil_t f,
                                     envelope_count_t *count) {
+    envelope_seek(h, ascending ? n.a - 1 : n.a);
     const pencil_t *before = h->l - (ascending ? 1 : 2), *after = h->r + (ascending ? 1 : 0);
     const pencil_t *middle = ascending ? h->r : h->l - 1;
     if (!envelope_same(*middle, n) || !envelope_same(*before, l) || !envelope_same(*after, r)) return false;
