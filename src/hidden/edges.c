@@ -7,7 +7,6 @@
 #include "hidden/edges.h"
 
 #define ONE_Q30 (INT32_C(1) << 30)
-#define VERTICAL_UNITS 2 /* an edge no wider than this is vertical but for rounding */
 
 static inline int32_t max32(int32_t a, int32_t b) {
     return a > b ? a : b;
@@ -23,18 +22,12 @@ static int32_t scale_q30(int32_t whole, int32_t part_q30) {
     return (int32_t)(((int64_t)whole * part_q30 + (1 << 29)) >> 30);
 }
 
-/* Takes a visible interval, from left to right in the chart, and places it on the edge in space. */
+/* Takes a visible part, in fractions of the chart, and places it on the edge in space. */
 static int take_part(void *ctx, envelope_part_t part) {
     edges_t *e = ctx;
     edges_edge_t *k = &e->edge;
     int32_t from = part.from_q30, to = part.to_q30;
-    if (k->flip) {
-        from = ONE_Q30 - part.to_q30;
-        to = ONE_Q30 - part.from_q30;
-    }
-    if (from == 0 && to == ONE_Q30) {
-        k->whole = true;
-    } else {
+    if (from != 0 || to != ONE_Q30) {
         from = chart_unproject(from, k->g0, k->g1);
         to = chart_unproject(to, k->g0, k->g1);
     }
@@ -47,46 +40,17 @@ static int take_part(void *ctx, envelope_part_t part) {
     return runs_add(&e->runs, k->run, k->family, k->line, k->cell * INK_ONE + from, k->cell * INK_ONE + to);
 }
 
-/* A vertical edge covers an interval of w at one abscissa. The horizons' heights there, and a unit to either side for
- * rounding, say what is visible. It raises nothing: its ends belong to edges that do. */
-static int clip_vertical(edges_t *e, pencil_t l, pencil_t r) {
-    int32_t lo = min32(l.w, r.w), hi = max32(l.w, r.w), height = hi - lo;
-    int32_t top = e->has_upper ? envelope_height(&e->upper, l.a - 1, r.a + 1) : ENVELOPE_LIMIT;
-    int32_t bottom = e->has_lower ? -envelope_height(&e->lower, l.a - 1, r.a + 1) : -ENVELOPE_LIMIT;
-    bool falling = r.w < l.w;
-    if (height == 0) return 0;
-    if (hi > top + ENVELOPE_NOISE) {
-        int32_t from =
-            top <= lo + ENVELOPE_NOISE ? 0 : (int32_t)pencil_fraction((uint32_t)(top - lo), (uint32_t)height);
-        envelope_part_t part = falling ? (envelope_part_t){0, ONE_Q30 - from} : (envelope_part_t){from, ONE_Q30};
-        int err = take_part(e, part);
-        if (err != 0 || from == 0) return err;
-    }
-    if (lo < bottom - ENVELOPE_NOISE) {
-        int32_t to = bottom >= hi - ENVELOPE_NOISE
-                         ? ONE_Q30
-                         : (int32_t)pencil_fraction((uint32_t)(bottom - lo), (uint32_t)height);
-        envelope_part_t part = falling ? (envelope_part_t){ONE_Q30 - to, ONE_Q30} : (envelope_part_t){0, to};
-        return take_part(e, part);
-    }
-    return 0;
+/* Takes the part [s0, s1] of the edge without asking the horizons. */
+static int take_unseen(edges_t *e, int32_t s0, int32_t s1) {
+    e->edge.start_q30 = s0;
+    e->edge.way_q30 = s1 - s0;
+    return take_part(e, (envelope_part_t){.to_q30 = ONE_Q30});
 }
 
-/* Clips a line of the chart against both horizons. */
-static int clip(edges_t *e, pencil_t p0, pencil_t p1, bool opening) {
-    edges_edge_t *k = &e->edge;
-    k->flip = p1.a < p0.a;
-    k->whole = false;
-    pencil_t l = k->flip ? p1 : p0, r = k->flip ? p0 : p1;
-    if (r.a - l.a <= VERTICAL_UNITS) return clip_vertical(e, l, r);
-    if (e->has_upper) {
-        int n = envelope_clip(&e->upper, l, r, take_part, e, &e->count);
-        if (n < 0) return n;
-    }
-    if (!e->has_lower || (k->whole && !opening)) return 0;
-    l.w = -l.w, r.w = -r.w;
-    int n = envelope_clip(&e->lower, l, r, opening ? NULL : take_part, e, &e->count);
-    return n < 0 ? n : 0;
+int edges_init(edges_t *e, const ink_sink_t *sink, pencil_t *pool, size_t count) {
+    e->runs = (runs_t){.sink = sink};
+    e->clipped = 0;
+    return horizons_init(&e->horizons, e->chart.seen >= 0, e->chart.seen <= 0, pool, count, take_part, e);
 }
 
 /* A point of an edge relative to the eye. */
@@ -118,7 +82,7 @@ static int32_t steep_limit(const edges_t *e, int sector, place_t p, place_t q, b
 }
 
 /* Clips the part a-b of an edge, [s0, s1] of its way, which lies in one sector. */
-static int clip_in_sector(edges_t *e, place_t a, place_t b, int32_t s0, int32_t s1, bool opening) {
+static int clip_in_sector(edges_t *e, place_t a, place_t b, int32_t s0, int32_t s1) {
     edges_edge_t *k = &e->edge;
     place_t m = place_at(a, b, ONE_Q30 / 2);
     int sector = chart_sector(m.x, m.y);
@@ -144,29 +108,15 @@ static int clip_in_sector(edges_t *e, place_t a, place_t b, int32_t s0, int32_t 
     t1 = s0 + scale_q30(way, t1);
     const bool shown = in0 && in1;
     int err = 0;
-    k->g0 = k->g1 = 1;
-    k->flip = false;
-    if (t0 > s0 || !shown) { /* the steep part before */
-        k->start_q30 = s0;
-        k->way_q30 = (shown ? t0 : s1) - s0;
-        err = take_part(e, (envelope_part_t){0, ONE_Q30});
-    }
+    if (t0 > s0 || !shown) err = take_unseen(e, s0, shown ? t0 : s1);
     if (err == 0 && shown) {
         k->start_q30 = t0;
         k->way_q30 = t1 - t0;
         k->g0 = size32(sector & 1 ? b.x : b.y);
         k->g1 = size32(sector & 1 ? a.x : a.y);
-        err = clip(e, at0, at1, opening);
+        err = horizons_clip(&e->horizons, at0, at1);
     }
-    if (err == 0 && shown && t1 < s1) {
-        k->start_q30 = t1;
-        k->way_q30 = s1 - t1;
-        k->g0 = k->g1 = 1;
-        k->flip = false;
-        err = take_part(e, (envelope_part_t){0, ONE_Q30});
-    }
-    k->start_q30 = 0;
-    k->way_q30 = ONE_Q30;
+    if (err == 0 && shown && t1 < s1) err = take_unseen(e, t1, s1);
     return err;
 }
 
@@ -177,7 +127,7 @@ static int32_t between(int32_t x, int32_t y, int64_t num, int64_t den) {
 }
 
 /* An edge of CHART_AROUND that is not one line of the chart: cut at the diagonals, or right below the eye. */
-static int clip_around(edges_t *e, place_t p, place_t q, bool opening) {
+static int clip_around(edges_t *e, place_t p, place_t q) {
     bool along_x = e->edge.family == INK_ROW;
     int32_t fixed = along_x ? p.y : p.x, v0 = along_x ? p.x : p.y, v1 = along_x ? q.x : q.y;
     int32_t side = (int32_t)size32(fixed), cuts = fixed == 0 ? 1 : 2, from_q30 = 0;
@@ -188,16 +138,16 @@ static int clip_around(edges_t *e, place_t p, place_t q, bool opening) {
         int64_t part = (int64_t)cut - v0, way = (int64_t)v1 - v0;
         place_t to = {along_x ? cut : p.x, along_x ? p.y : cut, between(p.z, q.z, part, way)};
         int32_t to_q30 = (int32_t)pencil_fraction((uint64_t)part, (uint64_t)way);
-        int err = clip_in_sector(e, from, to, from_q30, to_q30, opening);
+        int err = clip_in_sector(e, from, to, from_q30, to_q30);
         if (err != 0) return err;
         from = to;
         from_q30 = to_q30;
     }
-    return clip_in_sector(e, from, q, from_q30, ONE_Q30, opening);
+    return clip_in_sector(e, from, q, from_q30, ONE_Q30);
 }
 
 static bool is_vertical(pencil_t p0, pencil_t p1) {
-    return p1.a - p0.a <= VERTICAL_UNITS && p0.a - p1.a <= VERTICAL_UNITS;
+    return p1.a - p0.a <= HORIZONS_VERTICAL && p0.a - p1.a <= HORIZONS_VERTICAL;
 }
 
 bool edges_row_is_vertical(const edges_t *e, const chart_line_t *line, int32_t i) {
@@ -210,7 +160,7 @@ bool edges_column_is_vertical(const edges_t *e, const chart_line_t *line, const 
     return is_vertical(line->at[i], next->at[i]);
 }
 
-int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run, bool opening) {
+int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run) {
     pencil_t p0 = line->at[i], p1 = line->at[i + 1];
     const chart_column_t *c = e->chart.column;
     e->edge =
@@ -222,17 +172,17 @@ int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run, bool 
     } else if (e->chart.kind == CHART_AROUND) {
         if (!edges_in_one_sector(p0, p1)) {
             return clip_around(e, (place_t){c[i].p, line->dy, line->z[i]},
-                               (place_t){c[i + 1].p, line->dy, line->z[i + 1]}, opening);
+                               (place_t){c[i + 1].p, line->dy, line->z[i + 1]});
         }
         if (chart_sector_at(min32(p0.a, p1.a)) & 1) {
             e->edge.g0 = size32(c[i + 1].p);
             e->edge.g1 = size32(c[i].p);
         }
     }
-    return clip(e, p0, p1, opening);
+    return horizons_clip(&e->horizons, p0, p1);
 }
 
-int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i, run_t *run, bool opening) {
+int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i, run_t *run) {
     pencil_t p0 = line->at[i], p1 = next->at[i];
     const chart_column_t *c = e->chart.column;
     e->edge =
@@ -243,13 +193,12 @@ int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next,
         e->edge.g1 = next->r;
     } else if (e->chart.kind == CHART_AROUND) {
         if (!edges_in_one_sector(p0, p1)) {
-            return clip_around(e, (place_t){c[i].p, line->dy, line->z[i]}, (place_t){c[i].p, next->dy, next->z[i]},
-                               opening);
+            return clip_around(e, (place_t){c[i].p, line->dy, line->z[i]}, (place_t){c[i].p, next->dy, next->z[i]});
         }
         if (!(chart_sector_at(min32(p0.a, p1.a)) & 1)) {
             e->edge.g0 = size32(next->dy);
             e->edge.g1 = size32(line->dy);
         }
     }
-    return clip(e, p0, p1, opening);
+    return horizons_clip(&e->horizons, p0, p1);
 }

@@ -4,7 +4,7 @@
 #ifndef EDGES_H
 #define EDGES_H
 
-#include "hidden/envelope.h"
+#include "hidden/horizons.h"
 #include "hidden/runs.h"
 #include "view/chart.h"
 
@@ -15,25 +15,23 @@ typedef struct edges_edge {
     run_t *run;
     uint32_t g0, g1;            /* reciprocal distances of the ends (of the part being clipped) */
     int32_t start_q30, way_q30; /* the part that is being clipped, in space */
-    bool flip;                  /* end 0 is on the right in the chart */
-    bool whole;                 /* all of the part was taken */
 } edges_edge_t;
 
 typedef struct edges {
     chart_t chart;
-    envelope_t upper, lower;
-    bool has_upper, has_lower;
-    envelope_count_t count;
+    horizons_t horizons;
     int64_t clipped;
     runs_t runs;
     edges_edge_t edge;
 } edges_t;
 
+/* Prepares the horizons in pool[0..count), after the chart. Returns 0 or ERR_FULL. */
+int edges_init(edges_t *e, const ink_sink_t *sink, pencil_t *pool, size_t count);
+
 /* Clips the edge from (i, line) one column (INK_ROW) or one row (INK_COL, next is row line + 1) further, and adds
- * what is visible to run. opening: the edge is on the border that faces the eye, nothing has been at its abscissae
- * yet, so it starts both horizons. Returns 0, ERR_FULL or the sink's error. */
-int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run, bool opening);
-int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i, run_t *run, bool opening);
+ * what is visible to run. Returns 0, ERR_FULL or the sink's error. */
+int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run);
+int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i, run_t *run);
 
 /* Is the edge vertical in the chart? Such edges must be clipped before others that end in their vertices. */
 bool edges_row_is_vertical(const edges_t *e, const chart_line_t *line, int32_t i);

@@ -140,6 +140,7 @@ typedef struct clip {
     pencil_t p, q;
     int32_t from_q30; /* start of the visible part */
     bool visible, any;
+    bool first; /* the horizon is at the floor */
 } clip_t;
 
 static inline void begin(clip_t *c, int32_t at_q30) {
@@ -150,7 +151,7 @@ static inline void begin(clip_t *c, int32_t at_q30) {
 static inline int finish(clip_t *c, int32_t at_q30, envelope_take_t take, void *ctx) {
     c->visible = false;
     if (take == NULL || at_q30 <= c->from_q30) return 0;
-    return take(ctx, (envelope_part_t){c->from_q30, at_q30});
+    return take(ctx, (envelope_part_t){c->from_q30, at_q30, c->first});
 }
 
 int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, void *ctx, envelope_count_t *count) {
@@ -164,6 +165,7 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
         push(h, p.a, p.w);
         begin(&c, 0);
     }
+    c.first = v.w == ENVELOPE_FLOOR;
     for (;;) {
         pencil_t w = *h->r;
         bool last = w.a > q.a;
@@ -195,7 +197,12 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
             pencil_t far = *h->r;
             if ((err = room(h)) != 0) return err;
             above = envelope_below(p, q, far, count);
-            if (above != c.visible) {
+            const bool floor = far.w == ENVELOPE_FLOOR;
+            if (above && c.visible && floor != c.first) { /* onto the floor or off it */
+                int32_t at = fraction_at(p, q, (pencil_t){w.a, ordinate(p, q, w.a)});
+                if ((err = finish(&c, at, take, ctx)) != 0) return err;
+                begin(&c, at);
+            } else if (above != c.visible) {
                 pencil_t x = {w.a, ordinate(p, q, w.a)};
                 int32_t at = fraction_at(p, q, x);
                 push(h, x.a, x.w);
@@ -205,6 +212,7 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
                     begin(&c, at);
                 }
             }
+            c.first = floor;
             h->r++;
             if (!c.visible) push(h, far.a, far.w);
             v = far;

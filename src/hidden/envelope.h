@@ -36,6 +36,7 @@ typedef struct envelope {
 /* An interval of an edge, as fractions of its way in the chart from its left to its right end. */
 typedef struct envelope_part {
     int32_t from_q30, to_q30;
+    bool first; /* it rose from the floor: nothing has been at these abscissae yet */
 } envelope_part_t;
 
 typedef struct envelope_count {

@@ -21,8 +21,8 @@ typedef struct sweep {
 
 /* Where the four corners of a facet are in the two lines, seen from the eye: n is the near one, f the far one. */
 static inline bool advance(sweep_t *s, envelope_t *h, bool ascending, pencil_t n, pencil_t b, pencil_t c, pencil_t f) {
-    return ascending ? envelope_advance(h, true, c, n, b, f, &s->edges.count)
-                     : envelope_advance(h, false, b, n, c, f, &s->edges.count);
+    return ascending ? envelope_advance(h, true, c, n, b, f, &s->edges.horizons.count)
+                     : envelope_advance(h, false, b, n, c, f, &s->edges.horizons.count);
 }
 
 static inline pencil_t mirror(pencil_t p) {
@@ -32,37 +32,33 @@ static inline pencil_t mirror(pencil_t p) {
 /* A facet off the eye's row and column: two of its edges are new, the column `side` and the row `far`. */
 static int corner_facet(sweep_t *s, int32_t i, int far, bool rightward) {
     edges_t *e = &s->edges;
+    horizons_t *h = &e->horizons;
     const chart_line_t *lf = &s->line[far], *ln = &s->line[1 - far];
     const int32_t in = rightward ? i : i + 1, out = rightward ? i + 1 : i;
     pencil_t n = ln->at[in], b = ln->at[out], c = lf->at[in], f = lf->at[out];
     const bool ascending = rightward != (far == 1);
     bool whole = false;
     const bool straight = e->chart.kind != CHART_AROUND || edges_in_one_sector(b, c);
-    if (straight && e->has_upper) whole = advance(s, &e->upper, ascending, n, b, c, f);
-    if (straight && !whole && e->has_lower)
-        whole = advance(s, &e->lower, ascending, mirror(n), mirror(b), mirror(c), mirror(f));
+    if (straight && h->has_upper) whole = advance(s, &h->upper, ascending, n, b, c, f);
+    if (straight && !whole && h->has_lower)
+        whole = advance(s, &h->lower, ascending, mirror(n), mirror(b), mirror(c), mirror(f));
     int err;
     if (whole) {
         err = edges_whole(e, INK_COL, out, s->line[0].j, &s->column_run[out]);
         return err != 0 ? err : edges_whole(e, INK_ROW, lf->j, i, &s->row_run[far]);
     }
     const bool row_first = edges_row_is_vertical(e, lf, i);
-    err = row_first ? edges_row(e, lf, i, &s->row_run[far], false) : 0;
-    if (err == 0) err = edges_column(e, &s->line[0], &s->line[1], out, &s->column_run[out], false);
-    return row_first || err != 0 ? err : edges_row(e, lf, i, &s->row_run[far], false);
+    err = row_first ? edges_row(e, lf, i, &s->row_run[far]) : 0;
+    if (err == 0) err = edges_column(e, &s->line[0], &s->line[1], out, &s->column_run[out]);
+    return row_first || err != 0 ? err : edges_row(e, lf, i, &s->row_run[far]);
 }
 
 static int column_edge(sweep_t *s, int32_t i) {
-    const chart_t *c = &s->edges.chart;
-    bool opening = (i == 0 && c->side_x < 0) || (i == c->grid->nx - 1 && c->side_x > 0);
-    return edges_column(&s->edges, &s->line[0], &s->line[1], i, &s->column_run[i], opening);
+    return edges_column(&s->edges, &s->line[0], &s->line[1], i, &s->column_run[i]);
 }
 
 static int row_edge(sweep_t *s, int which, int32_t i) {
-    const chart_t *c = &s->edges.chart;
-    int32_t j = s->line[which].j;
-    bool opening = (j == 0 && c->side_y < 0) || (j == c->grid->ny - 1 && c->side_y > 0);
-    return edges_row(&s->edges, &s->line[which], i, &s->row_run[which], opening);
+    return edges_row(&s->edges, &s->line[which], i, &s->row_run[which]);
 }
 
 /* The first facet of a row, and every facet of the eye's row: near edges first, then those that are vertical in the
@@ -143,11 +139,7 @@ static int lay_out(sweep_t *s, grid_t *g, const camera_t *cam, const hidden_job_
         }
     }
     for (size_t i = 0; i < nx; i++) s->column_run[i] = (run_t){0, 0};
-    e->has_upper = e->chart.seen >= 0;
-    e->has_lower = e->chart.seen <= 0;
-    envelope_t *first = e->has_upper ? &e->upper : &e->lower;
-    envelope_t *second = e->has_upper && e->has_lower ? &e->lower : NULL;
-    return envelope_init(first, second, (pencil_t *)(void *)mem, (job->bytes - *fixed) / sizeof(pencil_t));
+    return edges_init(e, job->sink, (pencil_t *)(void *)mem, (job->bytes - *fixed) / sizeof(pencil_t));
 }
 
 /* The sweep proper. line[0] and line[1] always hold rows j and j + 1. */
@@ -182,7 +174,6 @@ int perimeter_draw(grid_t *g, const camera_t *cam, const hidden_job_t *job, hidd
     const int64_t before = g->evaluated;
     size_t fixed = 0;
     *stats = (hidden_stats_t){0};
-    e->runs.sink = job->sink;
     int err = lay_out(&s, g, cam, job, &fixed);
     if (err == 0 && e->chart.kind == CHART_VERTICAL) {
         err = plain_draw(g, INK_ROW, 0, job->sink);
@@ -191,12 +182,12 @@ int perimeter_draw(grid_t *g, const camera_t *cam, const hidden_job_t *job, hidd
     if (err == 0) err = sweep_all(&s, job);
     stats->facets = s.facets;
     stats->edges = e->clipped;
-    stats->tests = e->count.tests;
-    stats->crossings = e->count.crossings;
+    stats->tests = e->horizons.count.tests;
+    stats->crossings = e->horizons.count.crossings;
     stats->pieces = e->runs.pieces;
     stats->evaluated = g->evaluated - before;
-    stats->peak_upper = e->has_upper ? e->upper.peak : 0;
-    stats->peak_lower = e->has_lower ? e->lower.peak : 0;
+    stats->peak_upper = e->horizons.has_upper ? e->horizons.upper.peak : 0;
+    stats->peak_lower = e->horizons.has_lower ? e->horizons.lower.peak : 0;
     stats->bytes = fixed + (size_t)(stats->peak_upper + stats->peak_lower) * sizeof(pencil_t);
     return err;
 }

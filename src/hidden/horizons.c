@@ -1,0 +1,77 @@
+/* horizons.c - see horizons.h. */
+#include "hidden/horizons.h"
+
+#define ONE_Q30 (INT32_C(1) << 30)
+
+static inline int32_t max32(int32_t a, int32_t b) {
+    return a > b ? a : b;
+}
+static inline int32_t min32(int32_t a, int32_t b) {
+    return a < b ? a : b;
+}
+
+int horizons_init(horizons_t *h, bool upper, bool lower, pencil_t *pool, size_t count, envelope_take_t take,
+                  void *ctx) {
+    *h = (horizons_t){.has_upper = upper, .has_lower = lower, .take = take, .ctx = ctx};
+    return envelope_init(upper ? &h->upper : &h->lower, upper && lower ? &h->lower : NULL, pool, count);
+}
+
+/* Hands a part on, turned round if the line runs from right to left. */
+static int pass_on(horizons_t *h, envelope_part_t part) {
+    if (h->flip) {
+        int32_t from = ONE_Q30 - part.to_q30;
+        part.to_q30 = ONE_Q30 - part.from_q30;
+        part.from_q30 = from;
+    }
+    return h->take(h->ctx, part);
+}
+
+static int take_upper(void *ctx, envelope_part_t part) {
+    horizons_t *h = ctx;
+    h->whole = part.from_q30 == 0 && part.to_q30 == ONE_Q30 && !part.first;
+    return pass_on(h, part);
+}
+
+/* What is first at its abscissae has been taken by the upper horizon already, if there is one. */
+static int take_lower(void *ctx, envelope_part_t part) {
+    horizons_t *h = ctx;
+    return part.first && h->has_upper ? 0 : pass_on(h, part);
+}
+
+/* A vertical line covers an interval of w at one abscissa. The horizons' heights there, and a unit to either side for
+ * rounding, say what is visible. */
+static int clip_vertical(horizons_t *h, pencil_t l, pencil_t r) {
+    int32_t lo = min32(l.w, r.w), hi = max32(l.w, r.w), height = hi - lo;
+    int32_t top = h->has_upper ? envelope_height(&h->upper, l.a - 1, r.a + 1) : ENVELOPE_LIMIT;
+    int32_t bottom = h->has_lower ? -envelope_height(&h->lower, l.a - 1, r.a + 1) : -ENVELOPE_LIMIT;
+    int32_t from = 0, to = ONE_Q30;
+    const bool falling = r.w < l.w;
+    if (height == 0) return 0;
+    if (hi > top + ENVELOPE_NOISE) {
+        if (top > lo + ENVELOPE_NOISE) from = (int32_t)pencil_fraction((uint32_t)(top - lo), (uint32_t)height);
+        int err = pass_on(h, falling ? (envelope_part_t){.to_q30 = ONE_Q30 - from}
+                                     : (envelope_part_t){.from_q30 = from, .to_q30 = ONE_Q30});
+        if (err != 0 || from == 0) return err;
+    }
+    if (lo < bottom - ENVELOPE_NOISE) {
+        if (bottom < hi - ENVELOPE_NOISE) to = (int32_t)pencil_fraction((uint32_t)(bottom - lo), (uint32_t)height);
+        return pass_on(h, falling ? (envelope_part_t){.from_q30 = ONE_Q30 - to, .to_q30 = ONE_Q30}
+                                  : (envelope_part_t){.to_q30 = to});
+    }
+    return 0;
+}
+
+int horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1) {
+    h->flip = p1.a < p0.a;
+    h->whole = false;
+    pencil_t l = h->flip ? p1 : p0, r = h->flip ? p0 : p1;
+    if (r.a - l.a <= HORIZONS_VERTICAL) return clip_vertical(h, l, r);
+    if (h->has_upper) {
+        int n = envelope_clip(&h->upper, l, r, take_upper, h, &h->count);
+        if (n < 0) return n;
+    }
+    if (!h->has_lower || h->whole) return 0;
+    l.w = -l.w, r.w = -r.w;
+    int n = envelope_clip(&h->lower, l, r, take_lower, h, &h->count);
+    return n < 0 ? n : 0;
+}

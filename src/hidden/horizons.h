@@ -1,0 +1,28 @@
+/* horizons.h - the upper and the lower horizon of a scene as one: what lies between them is hidden.
+ *
+ * A line is clipped against the upper horizon, and against the lower one unless all of it was above; what rises
+ * from bare ground starts both. Views from above or below a surface need only one. */
+#ifndef HORIZONS_H
+#define HORIZONS_H
+
+#include "hidden/envelope.h"
+
+typedef struct horizons {
+    envelope_t upper, lower;
+    bool has_upper, has_lower;
+    envelope_count_t count;
+    envelope_take_t take; /* gets visible parts as fractions from p0 to p1, in no particular order */
+    void *ctx;
+    bool flip, whole; /* of the line being clipped: p0 is on the right; all of it was above */
+} horizons_t;
+
+/* Empty horizons in pool[0..count). Returns 0 or ERR_FULL. */
+int horizons_init(horizons_t *h, bool upper, bool lower, pencil_t *pool, size_t count, envelope_take_t take, void *ctx);
+
+/* Clips the line p0-p1 and raises the horizons. Lines no wider than HORIZONS_VERTICAL units are taken to be vertical:
+ * they are clipped at their abscissa, and raise nothing, since their ends belong to other lines. Returns 0, ERR_FULL,
+ * or take's error. */
+#define HORIZONS_VERTICAL 2
+int horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1);
+
+#endif
