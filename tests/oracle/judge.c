@@ -10,7 +10,7 @@
 
 /* One grid line under judgement. */
 typedef struct line {
-    const surface_ref_t *r;
+    const judge_subject_t *r;
     const page_view_t *v;
     int family, index, edges;
     spans_t page;    /* exists and is on the page */
@@ -21,7 +21,7 @@ typedef struct line {
 } line_t;
 
 static bool clipped(const line_t *l, int k, exact_point_t end[2], double *t0, double *t1) {
-    surface_ref_edge_ends(l->r, l->family, l->index, k, end);
+    l->r->ends(l->r->ref, l->family, l->index, k, end);
     return page_view_clip(l->v, end, t0, t1);
 }
 
@@ -72,12 +72,12 @@ static void look_at_line(line_t *l) {
         double t0, t1;
         if (!clipped(l, k, e, &t0, &t1)) continue;
         spans_add(&l->page, k + (long double)t0, k + (long double)t1);
-        if (!surface_ref_edge_exists(l->r, l->family, l->index, k)) {
+        if (!l->r->exists(l->r->ref, l->family, l->index, k)) {
             spans_add(&l->hidden, k, k + 1);
             spans_add(&unseen, k, k + 1);
             continue;
         }
-        surface_ref_edge(l->r, l->family, l->index, k, &hidden, &either);
+        l->r->look(l->r->ref, l->family, l->index, k, &hidden, &either);
         add_shifted(&l->hidden, &hidden, k);
         add_shifted(&unseen, &hidden, k);
         add_shifted(&unseen, &either, k);
@@ -92,35 +92,53 @@ static void look_at_line(line_t *l) {
     spans_free(&unseen);
 }
 
-/* What of edge k is surely visible, surely hidden: also when moved by `steps` to either side. */
-static void robust(const line_t *l, int k, double steps, spans_t *visible, spans_t *hidden) {
-    exact_point_t e[2], moved[2];
+void judge_edge(const judge_subject_t *r, const page_view_t *v, int family, int line, int k, double steps,
+                spans_t *visible, spans_t *hidden) {
+    exact_point_t e[2], moved[2][2];
     double t0, t1, x0, y0, x1, y1;
-    spans_t here = {0}, part = {0}, keep = {0};
-    spans_add(&here, k, k + 1);
-    spans_intersect(&l->visible, &here, visible);
-    spans_intersect(&l->hidden, &here, hidden);
-    if (surface_ref_edge_exists(l->r, l->family, l->index, k) && clipped(l, k, e, &t0, &t1) &&
-        page_view_point(l->v, between(e, t0), &x0, &y0) && page_view_point(l->v, between(e, t1), &x1, &y1) &&
-        hypot(x1 - x0, y1 - y0) > 0) {
+    spans_t part = {0}, either = {0}, keep = {0};
+    r->look(r->ref, family, line, k, hidden, &either);
+    spans_copy(hidden, &part);
+    for (size_t i = 0; i < either.n; i++) spans_add(&part, either.s[i].a, either.s[i].b);
+    spans_tidy(&part);
+    spans_complement(&part, 0, 1, visible);
+    r->ends(r->ref, family, line, k, e);
+    if (steps > 0 && page_view_clip(v, e, &t0, &t1) && page_view_point(v, between(e, t0), &x0, &y0) &&
+        page_view_point(v, between(e, t1), &x1, &y1) && hypot(x1 - x0, y1 - y0) > 0) {
         double d = steps * STEP / hypot(x1 - x0, y1 - y0);
-        for (int s = -1; s <= 1; s += 2) {
-            page_view_shift(l->v, e, -s * d * (y1 - y0), s * d * (x1 - x0), moved);
-            surface_ref_moved(l->r, l->family, l->index, k, moved, REF_SKIP_TOUCHING, &part);
-            spans_clear(&here);
-            add_shifted(&here, &part, k);
-            spans_subtract(visible, &here, &keep);
+        for (int s = 0; s < 2; s++) {
+            double side = s ? d : -d;
+            page_view_shift(v, e, -side * (y1 - y0), side * (x1 - x0), moved[s]);
+            r->moved(r->ref, family, line, k, moved[s], REF_SKIP_TOUCHING, &part);
+            spans_subtract(visible, &part, &keep);
             spans_copy(&keep, visible);
-            surface_ref_moved(l->r, l->family, l->index, k, moved, REF_SKIP_OWN, &part);
-            spans_clear(&here);
-            add_shifted(&here, &part, k);
-            spans_intersect(hidden, &here, &keep);
+            r->moved(r->ref, family, line, k, moved[s], REF_SKIP_OWN, &part);
+            spans_intersect(hidden, &part, &keep);
             spans_copy(&keep, hidden);
         }
+        r->doubled(r->ref, family, line, k, moved[0], moved[1], &part);
+        spans_subtract(visible, &part, &keep);
+        spans_copy(&keep, visible);
     }
-    spans_free(&here);
     spans_free(&part);
+    spans_free(&either);
     spans_free(&keep);
+}
+
+/* The same for edge k of a line, in the line's parameter; an edge that does not exist is hidden. */
+static void robust(const line_t *l, int k, double steps, spans_t *visible, spans_t *hidden) {
+    spans_t v = {0}, h = {0};
+    spans_clear(visible);
+    spans_clear(hidden);
+    if (l->r->exists(l->r->ref, l->family, l->index, k)) {
+        judge_edge(l->r, l->v, l->family, l->index, k, steps, &v, &h);
+        add_shifted(visible, &v, k);
+        add_shifted(hidden, &h, k);
+    } else {
+        spans_add(hidden, k, k + 1);
+    }
+    spans_free(&v);
+    spans_free(&h);
 }
 
 /* Of the raw errors `bad`, what remains when each edge is asked again with a step's tolerance. */
@@ -254,7 +272,7 @@ static int by_line(const void *p, const void *q) {
     return (a->from > b->from) - (a->from < b->from);
 }
 
-int judge_pieces(const surface_ref_t *r, const page_view_t *v, const judge_piece_t *piece, size_t n,
+int judge_pieces(const judge_subject_t *r, const page_view_t *v, const judge_piece_t *piece, size_t n,
                  judge_report_t *out) {
     *out = (judge_report_t){0};
     judge_piece_t *sorted = malloc((n + 1) * sizeof *sorted);
@@ -262,9 +280,10 @@ int judge_pieces(const surface_ref_t *r, const page_view_t *v, const judge_piece
     if (n) memcpy(sorted, piece, n * sizeof *sorted);
     qsort(sorted, n, sizeof *sorted, by_line);
     size_t at = 0;
-    for (int family = REF_ROW; family <= REF_COL; family++) {
-        int lines = family == REF_ROW ? r->ny : r->nx, edges = (family == REF_ROW ? r->nx : r->ny) - 1;
+    for (int family = 0; family < 2; family++) {
+        int lines = r->lines(r->ref, family);
         for (int index = 0; index < lines; index++) {
+            int edges = r->edges(r->ref, family, index);
             line_t l = {.r = r, .v = v, .family = family, .index = index, .edges = edges};
             size_t first = at;
             while (at < n && sorted[at].family == family && sorted[at].line == index && sorted[at].from >= 0 &&

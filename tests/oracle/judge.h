@@ -1,4 +1,4 @@
-/* judge.h - how wrong is a drawing of a surface? Lengths on the page, against the reference.
+/* judge.h - how wrong is a drawing? Lengths on the page, against a reference.
  *
  * Missing ink is visible and not drawn; false ink is drawn and hidden (or on an edge that does not exist). `raw`
  * figures compare with the reference point by point. The others forgive what one motor step could hide: ink is missing
@@ -9,10 +9,28 @@
 
 #include <stddef.h>
 
+#include "tests/oracle/horizon_ref.h"
 #include "tests/oracle/page_view.h"
 #include "tests/oracle/surface_ref.h"
 
 #define JUDGE_STEP_MM 0.0125
+
+/* What is judged: lines made of edges, and a reference that knows what of an edge is hidden. */
+typedef struct judge_subject {
+    const void *ref;
+    int (*lines)(const void *ref, int family); /* families 0 and 1 */
+    int (*edges)(const void *ref, int family, int line);
+    bool (*exists)(const void *ref, int family, int line, int k);
+    void (*ends)(const void *ref, int family, int line, int k, exact_point_t end[2]);
+    void (*look)(const void *ref, int family, int line, int k, spans_t *hidden, spans_t *either);
+    void (*moved)(const void *ref, int family, int line, int k, const exact_point_t at[2], enum ref_skip skip,
+                  spans_t *hidden);
+    void (*doubled)(const void *ref, int family, int line, int k, const exact_point_t at[2],
+                    const exact_point_t other[2], spans_t *out);
+} judge_subject_t;
+
+judge_subject_t judge_surface(const surface_ref_t *r);
+judge_subject_t judge_horizon(const horizon_ref_t *r);
 
 /* A drawn part of a grid line: from and to count its vertices, the fraction is the position in space. */
 typedef struct judge_piece {
@@ -35,8 +53,11 @@ typedef struct judge_report {
 } judge_report_t;
 
 /* Judges n pieces. Returns 0, or -1 when a piece is not on the grid. */
-int judge_pieces(const surface_ref_t *r, const page_view_t *v, const judge_piece_t *piece, size_t n,
+int judge_pieces(const judge_subject_t *what, const page_view_t *v, const judge_piece_t *piece, size_t n,
                  judge_report_t *out);
+/* What of one edge is surely visible and surely hidden, in [0, 1]: also when moved across by `steps` on the page. */
+void judge_edge(const judge_subject_t *what, const page_view_t *v, int family, int line, int k, double steps,
+                spans_t *visible, spans_t *hidden);
 /* Takes the worse of both. */
 void judge_worst(judge_report_t *all, const judge_report_t *one);
 

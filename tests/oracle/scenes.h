@@ -51,6 +51,8 @@ enum scene_eye {
 /* A scene of nx by ny vertices on [-2,2]^2, heights 0, looked at from (6,8,3): to be filled in by hand. */
 void scene_init(scene_t *s, int nx, int ny);
 void scene_free(scene_t *s);
+/* A copy that owns its arrays; out is not freed first. */
+void scene_copy(const scene_t *s, scene_t *out);
 void scene_shape(scene_t *s, enum scene_shape shape, uint64_t *rng);
 /* Puts the eye; scene_aim must follow. */
 void scene_eye(scene_t *s, enum scene_eye eye, uint64_t *rng);

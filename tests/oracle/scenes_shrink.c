@@ -5,22 +5,26 @@
 #include <stdlib.h>
 #include <string.h>
 
+void scene_copy(const scene_t *s, scene_t *out) {
+    scene_init(out, s->ref.nx, s->ref.ny);
+    size_t n = (size_t)s->ref.nx * (size_t)s->ref.ny;
+    memcpy(out->ref.x, s->ref.x, (size_t)s->ref.nx * sizeof(double));
+    memcpy(out->ref.y, s->ref.y, (size_t)s->ref.ny * sizeof(double));
+    memcpy(out->ref.z, s->ref.z, n * sizeof(double));
+    if (s->ref.hole) {
+        out->ref.hole = malloc(n);
+        if (!out->ref.hole) abort();
+        memcpy(out->ref.hole, s->ref.hole, n);
+    }
+    out->ref.eye = s->ref.eye;
+    out->view = s->view;
+    memcpy(out->what, s->what, sizeof out->what);
+    memcpy(out->to, s->to, sizeof out->to);
+}
+
 static scene_t copy_of(const scene_t *s) {
     scene_t c;
-    scene_init(&c, s->ref.nx, s->ref.ny);
-    size_t n = (size_t)s->ref.nx * (size_t)s->ref.ny;
-    memcpy(c.ref.x, s->ref.x, (size_t)s->ref.nx * sizeof(double));
-    memcpy(c.ref.y, s->ref.y, (size_t)s->ref.ny * sizeof(double));
-    memcpy(c.ref.z, s->ref.z, n * sizeof(double));
-    if (s->ref.hole) {
-        c.ref.hole = malloc(n);
-        if (!c.ref.hole) abort();
-        memcpy(c.ref.hole, s->ref.hole, n);
-    }
-    c.ref.eye = s->ref.eye;
-    c.view = s->view;
-    memcpy(c.what, s->what, sizeof c.what);
-    memcpy(c.to, s->to, sizeof c.to);
+    scene_copy(s, &c);
     return c;
 }
 

@@ -5,6 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+void span_keep_positive(span_t *v, long double f0, long double f1) {
+    if (f0 <= 0 && f1 <= 0) v->b = v->a - 1;
+    if (f0 >= 0 || f1 >= 0) {
+        if (f0 < 0) v->a = fmaxl(v->a, f0 / (f0 - f1));
+        if (f1 < 0) v->b = fminl(v->b, f0 / (f0 - f1));
+    }
+}
+
 void spans_free(spans_t *s) {
     free(s->s);
     *s = (spans_t){0};
@@ -76,14 +84,4 @@ void spans_subtract(const spans_t *p, const spans_t *q, spans_t *out) {
 void spans_copy(const spans_t *s, spans_t *out) {
     spans_clear(out);
     for (size_t i = 0; i < s->n; i++) spans_add(out, s->s[i].a, s->s[i].b);
-}
-
-long double spans_end_distance(const spans_t *s, long double t) {
-    long double best = 1e300L;
-    for (size_t i = 0; i < s->n; i++) {
-        long double d = fabsl(s->s[i].a - t), e = fabsl(s->s[i].b - t);
-        if (d < best) best = d;
-        if (e < best) best = e;
-    }
-    return best;
 }

@@ -16,6 +16,9 @@ typedef struct spans {
     size_t n, cap;
 } spans_t;
 
+/* Keeps of *v where the linear function with values f0 at 0 and f1 at 1 is positive; empty is a > b. */
+void span_keep_positive(span_t *v, long double f0, long double f1);
+
 void spans_free(spans_t *s);
 /* Makes s empty and keeps its memory. */
 void spans_clear(spans_t *s);
@@ -28,7 +31,5 @@ void spans_complement(const spans_t *s, long double lo, long double hi, spans_t 
 void spans_intersect(const spans_t *p, const spans_t *q, spans_t *out);
 void spans_subtract(const spans_t *p, const spans_t *q, spans_t *out); /* p without q */
 void spans_copy(const spans_t *s, spans_t *out);
-/* Distance from t to the nearest end of any interval of s; a huge number for the empty set. */
-long double spans_end_distance(const spans_t *s, long double t);
 
 #endif

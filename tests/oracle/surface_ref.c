@@ -20,10 +20,6 @@ typedef struct query {
     int lean; /* +1, -1: seen from a little to the left, right of a vertical plane that holds it; else 0 */
 } query_t;
 
-typedef struct interval {
-    long double lo, hi;
-} interval_t;
-
 exact_point_t surface_ref_node(const surface_ref_t *r, int i, int j) {
     return (exact_point_t){r->x[i], r->y[j], r->z[j * r->nx + i]};
 }
@@ -45,15 +41,6 @@ bool surface_ref_edge_exists(const surface_ref_t *r, int family, int line, int k
 void surface_ref_edge_ends(const surface_ref_t *r, int family, int line, int k, exact_point_t end[2]) {
     for (int s = 0; s < 2; s++)
         end[s] = family == REF_ROW ? surface_ref_node(r, k + s, line) : surface_ref_node(r, line, k + s);
-}
-
-/* Keeps of v where the linear function with end values f0, f1 is positive. */
-static void keep_positive(interval_t *v, long double f0, long double f1) {
-    if (f0 <= 0 && f1 <= 0) v->hi = v->lo - 1;
-    if (f0 >= 0 || f1 >= 0) {
-        if (f0 < 0) v->lo = fmaxl(v->lo, f0 / (f0 - f1));
-        if (f1 < 0) v->hi = fminl(v->hi, f0 / (f0 - f1));
-    }
 }
 
 /* Sign of the eye's distance to the inside of a side: negative for a near side. */
@@ -90,8 +77,8 @@ static enum nadir nadir_of(const surface_ref_t *r, const exact_point_t c[4]) {
     return s > 0 && t > 0 ? NADIR_BELOW : s < 0 && t < 0 ? NADIR_ABOVE : NADIR_UNSURE;
 }
 
-/* Adds what cell (ci, cj) hides of the edge. */
-static void cell_hides(const query_t *q, int ci, int cj, spans_t *hidden, spans_t *either) {
+/* Adds what cell (ci, cj), a neighbour of the edge if `own`, hides of it. */
+static void cell_hides(const query_t *q, int ci, int cj, bool own, spans_t *hidden, spans_t *either) {
     const surface_ref_t *r = q->r;
     exact_point_t c[4] = {surface_ref_node(r, ci, cj), surface_ref_node(r, ci + 1, cj),
                           surface_ref_node(r, ci + 1, cj + 1), surface_ref_node(r, ci, cj + 1)};
@@ -109,33 +96,35 @@ static void cell_hides(const query_t *q, int ci, int cj, spans_t *hidden, spans_
     for (int m = 0; m < 4; m++) {
         int m1 = (m + 1) & 3;
         if (in[m] <= 0 || !past_far(q, ci, cj, m)) continue;
-        interval_t far = {0, 1};
-        keep_positive(&far, a[m][0], a[m][1]);
-        keep_positive(&far, -a[m1][0], -a[m1][1]);
-        if (!(far.lo < far.hi)) continue;
+        span_t far = {0, 1};
+        span_keep_positive(&far, a[m][0], a[m][1]);
+        span_keep_positive(&far, -a[m1][0], -a[m1][1]);
+        if (!(far.a < far.b)) continue;
         long double v0 = exact_plane(&r->eye, &c[m], &c[m1], &q->p[0]);
         long double v1 = exact_plane(&r->eye, &c[m], &c[m1], &q->p[1]);
         if (!outside) { /* the eye's foot is in this cell: it covers all from straight below (above) to its far side */
             enum nadir n = nadir_of(r, c);
-            if (n == NADIR_BELOW) keep_positive(&far, -v0, -v1);
-            if (n == NADIR_ABOVE) keep_positive(&far, v0, v1);
-            spans_add(n == NADIR_UNSURE ? either : hidden, far.lo, far.hi);
+            if (v0 == 0 && v1 == 0 && !own) n = NADIR_UNSURE;
+            if (n == NADIR_BELOW) span_keep_positive(&far, -v0, -v1);
+            if (n == NADIR_ABOVE) span_keep_positive(&far, v0, v1);
+            spans_add(n == NADIR_UNSURE ? either : hidden, far.a, far.b);
             continue;
         }
         for (int k = 0; k < 4; k++) {
             int k1 = (k + 1) & 3;
             if (in[k] >= 0 || !past_near(q, ci, cj, k)) continue;
-            interval_t both = far;
-            keep_positive(&both, -a[k][0], -a[k][1]);
-            keep_positive(&both, a[k1][0], a[k1][1]);
-            if (!(both.lo < both.hi)) continue;
+            span_t both = far;
+            span_keep_positive(&both, -a[k][0], -a[k][1]);
+            span_keep_positive(&both, a[k1][0], a[k1][1]);
+            if (!(both.a < both.b)) continue;
             long double u0 = exact_plane(&r->eye, &c[k], &c[k1], &q->p[0]);
             long double u1 = exact_plane(&r->eye, &c[k], &c[k1], &q->p[1]);
+            if ((u0 == 0 && u1 == 0) || (v0 == 0 && v1 == 0 && !own)) spans_add(either, both.a, both.b);
             for (int s = -1; s <= 1; s += 2) { /* above the one and below the other, and the reverse */
-                interval_t t = both;
-                keep_positive(&t, s * u0, s * u1);
-                keep_positive(&t, s * v0, s * v1);
-                spans_add(hidden, t.lo, t.hi);
+                span_t t = both;
+                span_keep_positive(&t, s * u0, s * u1);
+                span_keep_positive(&t, s * v0, s * v1);
+                spans_add(hidden, t.a, t.b);
             }
         }
     }
@@ -171,8 +160,10 @@ static void footprint(const query_t *q, long double f[4][2]) {
     }
 }
 
-/* Calls every cell that may hide something; the margins only cost time. */
-static void all_cells(const query_t *q, int skip_own, int skip_touching, spans_t *hidden, spans_t *either) {
+typedef void visit_fn(const query_t *q, int ci, int cj, bool own, bool touches, void *ctx);
+
+/* Visits every existing cell that may be between the edge and the eye; the margins only cost time. */
+static void visit_cells(const query_t *q, visit_fn *visit, void *ctx) {
     const surface_ref_t *r = q->r;
     long double f[4][2];
     footprint(q, f);
@@ -188,10 +179,25 @@ static void all_cells(const query_t *q, int skip_own, int skip_touching, spans_t
             if (!surface_ref_cell_exists(r, ci, cj)) continue;
             bool touches = q->imax >= ci && q->imin <= ci + 1 && q->jmax >= cj && q->jmin <= cj + 1;
             bool own = q->imin >= ci && q->imax <= ci + 1 && q->jmin >= cj && q->jmax <= cj + 1;
-            if ((own && skip_own) || (touches && skip_touching)) continue;
-            cell_hides(q, ci, cj, hidden, either);
+            visit(q, ci, cj, own, touches, ctx);
         }
     }
+}
+
+typedef struct cover {
+    bool skip_own, skip_touching;
+    spans_t *hidden, *either;
+} cover_t;
+
+static void visit_cover(const query_t *q, int ci, int cj, bool own, bool touches, void *ctx) {
+    const cover_t *c = ctx;
+    if ((own && c->skip_own) || (touches && c->skip_touching)) return;
+    cell_hides(q, ci, cj, own, c->hidden, c->either);
+}
+
+static void all_cells(const query_t *q, bool skip_own, bool skip_touching, spans_t *hidden, spans_t *either) {
+    cover_t c = {skip_own, skip_touching, hidden, either};
+    visit_cells(q, visit_cover, &c);
     spans_tidy(hidden);
     spans_tidy(either);
 }
@@ -248,4 +254,48 @@ void surface_ref_moved(const surface_ref_t *r, int family, int line, int k, cons
     q.p[1] = moved[1];
     look(&q, true, skip == REF_SKIP_TOUCHING, hidden, &either);
     spans_free(&either);
+}
+
+typedef struct doubling {
+    const exact_point_t *moved, *other;
+    spans_t *out;
+} doubling_t;
+
+/* Adds where a side of the cell, in front of the edge, lies between the edge's two moved copies. */
+static void visit_doubled(const query_t *q, int ci, int cj, bool own, bool touches, void *ctx) {
+    const surface_ref_t *r = q->r;
+    const doubling_t *d = ctx;
+    (void)touches;
+    int ni[5] = {ci, ci + 1, ci + 1, ci, ci}, nj[5] = {cj, cj, cj + 1, cj + 1, cj};
+    for (int k = 0; k < 4; k++) {
+        int in = inside(r, ci, cj, k);
+        bool near = in < 0 && past_near(q, ci, cj, k), far = in > 0 && past_far(q, ci, cj, k) && !own;
+        if (!near && !far) continue;
+        exact_point_t c0 = surface_ref_node(r, ni[k], nj[k]), c1 = surface_ref_node(r, ni[k + 1], nj[k + 1]);
+        long double sign = near ? 1 : -1;
+        span_t at = {0, 1};
+        span_keep_positive(&at, -sign * exact_side(&r->eye, &c0, &q->p[0]), -sign * exact_side(&r->eye, &c0, &q->p[1]));
+        span_keep_positive(&at, sign * exact_side(&r->eye, &c1, &q->p[0]), sign * exact_side(&r->eye, &c1, &q->p[1]));
+        if (!(at.a < at.b)) continue;
+        long double u[2], v[2];
+        for (int s = 0; s < 2; s++) {
+            u[s] = exact_plane(&r->eye, &c0, &c1, &d->moved[s]);
+            v[s] = exact_plane(&r->eye, &c0, &c1, &d->other[s]);
+        }
+        for (int s = -1; s <= 1; s += 2) {
+            span_t t = at;
+            span_keep_positive(&t, s * u[0], s * u[1]);
+            span_keep_positive(&t, -s * v[0], -s * v[1]);
+            spans_add(d->out, t.a, t.b);
+        }
+    }
+}
+
+void surface_ref_doubled(const surface_ref_t *r, int family, int line, int k, const exact_point_t moved[2],
+                         const exact_point_t other[2], spans_t *out) {
+    query_t q = query_of(r, family, line, k);
+    doubling_t d = {moved, other, out};
+    spans_clear(out);
+    visit_cells(&q, visit_doubled, &d);
+    spans_tidy(out);
 }

@@ -8,8 +8,9 @@
  *
  * Ties. A point is hidden only strictly inside of a cover. An edge that lies in a vertical plane through the eye is on
  * the border of every cell that could hide it; it is hidden where the cells on its left and those on its right both
- * hide it, visible where neither does, `either` in between. A cell right below or above the eye whose
- * four corners do not tell on which side of it the eye is makes `either` of what it might hide.
+ * hide it, visible where neither does, `either` in between. Where an edge falls together on the page with a nearer one
+ * it is `either`, too: the ink is there in any case. A cell right below or above the eye whose four corners do not tell
+ * on which side of it the eye is makes `either` of what it might hide.
  *
  * Holes: cells with an undefined corner do not exist; an edge exists if one of its cells does.
  * Cost: O(cells met) per edge, about 0.1 us each. */
@@ -49,5 +50,10 @@ void surface_ref_edge(const surface_ref_t *r, int family, int line, int k, spans
  * asks what a small error of the drawing could have shown. */
 void surface_ref_moved(const surface_ref_t *r, int family, int line, int k, const exact_point_t moved[2],
                        enum ref_skip skip, spans_t *hidden);
+
+/* Where the edge runs, on the page, between `moved` and `other` (the edge moved to both sides) together with a nearer
+ * edge: there is ink in that place whoever draws it. */
+void surface_ref_doubled(const surface_ref_t *r, int family, int line, int k, const exact_point_t moved[2],
+                         const exact_point_t other[2], spans_t *out);
 
 #endif

@@ -9,12 +9,18 @@
 
 #include <cmocka.h>
 
+#include "tests/oracle/judge_seg.h"
 #include "tests/oracle/scenes.h"
 
 typedef struct drawing {
     judge_piece_t *p;
     size_t n;
 } drawing_t;
+
+static int judge(const scene_t *s, const judge_piece_t *p, size_t n, judge_report_t *rep) {
+    judge_subject_t what = judge_surface(&s->ref);
+    return judge_pieces(&what, &s->view, p, n, rep);
+}
 
 /* Everything that is visible, edge by edge. */
 static drawing_t perfect(const surface_ref_t *r) {
@@ -43,7 +49,7 @@ static void test_perfect(void **state) {
         scene_random(&s, seed, 14, seed & 1);
         drawing_t d = perfect(&s.ref);
         judge_report_t rep;
-        assert_int_equal(judge_pieces(&s.ref, &s.view, d.p, d.n, &rep), 0);
+        assert_int_equal(judge(&s, d.p, d.n, &rep), 0);
         if (rep.raw_missing_mm > 1e-6 || rep.raw_false_mm > 1e-6 || rep.end_steps > .25 || rep.twice_mm > 0)
             fail_msg("%s: missing %g false %g end %g (%d %d %g) twice %g", s.what, rep.raw_missing_mm, rep.raw_false_mm,
                      rep.end_steps, rep.end.family, rep.end.line, rep.end.from, rep.twice_mm);
@@ -65,27 +71,27 @@ static void test_planted(void **state) {
     scene_aim(&s);
     drawing_t d = perfect(&s.ref);
     judge_report_t good, rep;
-    judge_pieces(&s.ref, &s.view, d.p, d.n, &good);
+    judge(&s, d.p, d.n, &good);
     assert_true(good.missing_mm == 0 && good.false_mm == 0);
     double edge_mm = 0;
     for (size_t i = 0; i < d.n; i++) { /* leave out one whole visible edge of the wall's crest */
         if (d.p[i].family != REF_ROW || d.p[i].line != 3 || d.p[i].from != 1) continue;
         judge_piece_t kept = d.p[i];
         d.p[i] = d.p[d.n - 1];
-        judge_pieces(&s.ref, &s.view, d.p, d.n - 1, &rep);
+        judge(&s, d.p, d.n - 1, &rep);
         edge_mm = rep.missing_mm;
         d.p[i] = kept;
     }
     assert_true(edge_mm > 20 && edge_mm < 80);
     d.p[d.n] = (judge_piece_t){REF_ROW, 1, 1.25, 2.25};
-    judge_pieces(&s.ref, &s.view, d.p, d.n + 1, &rep);
-    assert_true(rep.missing_mm == 0 && fabs(rep.false_mm - edge_mm) < 1e-9);
+    judge(&s, d.p, d.n + 1, &rep);
+    assert_true(rep.missing_mm == 0 && fabs(rep.false_mm - edge_mm) < .1);
     assert_true(rep.falsely.line == 1 && rep.falsely.from == 1.25);
     d.p[d.n] = (judge_piece_t){REF_ROW, 3, 1.25, 1.75};
-    judge_pieces(&s.ref, &s.view, d.p, d.n + 1, &rep);
-    assert_true(rep.false_mm == 0 && fabs(rep.twice_mm - edge_mm / 2) < 1e-9);
+    judge(&s, d.p, d.n + 1, &rep);
+    assert_true(rep.false_mm == 0 && fabs(rep.twice_mm - edge_mm / 2) < .1);
     d.p[d.n] = (judge_piece_t){REF_ROW, 7, 0, 1};
-    assert_int_equal(judge_pieces(&s.ref, &s.view, d.p, d.n + 1, &rep), -1);
+    assert_int_equal(judge(&s, d.p, d.n + 1, &rep), -1);
     free(d.p);
     scene_free(&s);
 }
@@ -111,7 +117,7 @@ static void test_moved_ends(void **state) {
             d.p[i].to += by * JUDGE_STEP_MM / hypot(x1 - x0, y1 - y0);
         }
         judge_report_t rep;
-        judge_pieces(&s.ref, &s.view, d.p, d.n, &rep);
+        judge(&s, d.p, d.n, &rep);
         if (steps)
             assert_true(rep.end_steps > 2 && rep.end_steps < 5.5 && rep.raw_false_mm > 3.9 * JUDGE_STEP_MM);
         else
@@ -121,11 +127,55 @@ static void test_moved_ends(void **state) {
     scene_free(&s);
 }
 
+/* The same drawings as page segments: matched back to their lines, nothing is missing or false; a foreign line is. */
+static void test_segments(void **state) {
+    (void)state;
+    double foreign = 0;
+    for (uint64_t seed = 5000; seed < 5060; seed++) {
+        scene_t s;
+        scene_random(&s, seed, 12, 0);
+        drawing_t d = perfect(&s.ref);
+        judge_subject_t what = judge_surface(&s.ref);
+        page_seg_t *seg = malloc((d.n + 1) * sizeof *seg);
+        size_t n = 0;
+        for (size_t i = 0; i < d.n; i++) {
+            exact_point_t e[2], at[2];
+            double t0, t1;
+            int k = (int)d.p[i].from;
+            surface_ref_edge_ends(&s.ref, d.p[i].family, d.p[i].line, k, e);
+            if (!page_view_clip(&s.view, e, &t0, &t1)) continue;
+            t0 = fmax(t0, d.p[i].from - k);
+            t1 = fmin(t1, d.p[i].to - k);
+            for (int c = 0; c < 2; c++) {
+                double t = c ? t1 : t0;
+                at[c] = (exact_point_t){e[0].x + t * (e[1].x - e[0].x), e[0].y + t * (e[1].y - e[0].y),
+                                        e[0].z + t * (e[1].z - e[0].z)};
+            }
+            if (t0 < t1 && page_view_point(&s.view, at[0], &seg[n].x0, &seg[n].y0) &&
+                page_view_point(&s.view, at[1], &seg[n].x1, &seg[n].y1))
+                n++;
+        }
+        judge_seg_report_t rep;
+        judge_segments(&what, &s.view, seg, n, &rep);
+        if (rep.pieces.missing_mm > 1e-6 || rep.false_mm > 1e-6 || rep.pieces.end_steps > .25)
+            fail_msg("%s: missing %g false %g end %g", s.what, rep.pieces.missing_mm, rep.false_mm,
+                     rep.pieces.end_steps);
+        seg[n] = (page_seg_t){20, 20, 30, 31};
+        judge_segments(&what, &s.view, seg, n + 1, &rep);
+        foreign += rep.false_mm;
+        free(seg);
+        free(d.p);
+        scene_free(&s);
+    }
+    assert_true(foreign > 59 * hypot(10, 11));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_perfect),
         cmocka_unit_test(test_planted),
         cmocka_unit_test(test_moved_ends),
+        cmocka_unit_test(test_segments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

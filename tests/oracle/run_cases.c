@@ -1,0 +1,85 @@
+/* Case keeping for tests that judge drawings. */
+#include "tests/oracle/run_cases.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "error.h"
+
+uint64_t cases_scaled(uint64_t n) {
+    const char *s = getenv("RIDGELINE_CASES");
+    double k = s ? strtod(s, NULL) : 1;
+    return k > 0 ? (uint64_t)ceil((double)n * k) : n;
+}
+
+bool cases_only_seed(uint64_t *seed) {
+    const char *s = getenv("RIDGELINE_SEED");
+    if (s) *seed = strtoull(s, NULL, 0);
+    return s != NULL;
+}
+
+bool cases_good(const judge_report_t *r) {
+    return r->missing_mm <= CASES_RUN_MM && r->false_mm <= CASES_RUN_MM && r->twice_mm <= CASES_TWICE_MM &&
+           r->end_steps <= CASES_END_STEPS;
+}
+
+static int draw_and_judge(const scene_t *s, judge_report_t *rep, hidden_stats_t *stats) {
+    drawing_t d = {0};
+    int err = run_perimeter(s, &d, stats);
+    judge_subject_t what = judge_surface(&s->ref);
+    *rep = (judge_report_t){0};
+    if (err == 0) err = judge_pieces(&what, &s->view, d.piece, d.n, rep) ? 1 : 0;
+    if (err == ERR_EMPTY) err = 0; /* a scene whose every point is a hole: rightly nothing drawn */
+    drawing_free(&d);
+    return err;
+}
+
+static int fails(void *ctx, const scene_t *s) {
+    judge_report_t rep;
+    hidden_stats_t stats;
+    (void)ctx;
+    return draw_and_judge(s, &rep, &stats) != 0 || !cases_good(&rep);
+}
+
+static void tell(const char *name, const scene_t *s, int err, const judge_report_t *r) {
+    printf("# FAILED %s: %s\n#   error %d, missing %.5f mm (%s %d, %.6f to %.6f), false %.5f mm (%s %d, %.6f to %.6f), "
+           "end off %.3f steps (%s %d at %.6f), twice %.5f mm\n",
+           name, s->what, err, r->missing_mm, r->missing.family ? "col" : "row", r->missing.line, r->missing.from,
+           r->missing.to, r->false_mm, r->falsely.family ? "col" : "row", r->falsely.line, r->falsely.from,
+           r->falsely.to, r->end_steps, r->end.family ? "col" : "row", r->end.line, r->end.from, r->twice_mm);
+}
+
+bool cases_surface(cases_t *c, const scene_t *s, uint64_t seed, bool shrink) {
+    judge_report_t rep;
+    hidden_stats_t stats;
+    int err = draw_and_judge(s, &rep, &stats);
+    c->run++;
+    c->facets += stats.facets;
+    judge_worst(&c->worst, &rep);
+    if (err == 0 && cases_good(&rep)) return true;
+    tell(c->name, s, err, &rep);
+    if (shrink) {
+        scene_t small;
+        printf("#   repeat: RIDGELINE_SEED=%llu build/tests/property/%s\n#   shrunk:\n", (unsigned long long)seed,
+               c->name);
+        scene_copy(s, &small);
+        scene_shrink(&small, fails, NULL);
+        scene_print(&small);
+        err = draw_and_judge(&small, &rep, &stats);
+        tell("shrunk", &small, err, &rep);
+        scene_free(&small);
+    }
+    return false;
+}
+
+void cases_summary(const cases_t *c) {
+    const judge_report_t *w = &c->worst;
+    printf("# %s: %lld scenes, %lld facets, %.0f m of ink; worst run missing %.2f steps (raw %.2f), false %.2f (raw "
+           "%.2f), "
+           "end %.3f steps, twice %.4f mm\n",
+           c->name, (long long)c->run, (long long)c->facets, w->ink_mm / 1000, w->missing_mm / JUDGE_STEP_MM,
+           w->raw_missing_mm / JUDGE_STEP_MM, w->false_mm / JUDGE_STEP_MM, w->raw_false_mm / JUDGE_STEP_MM,
+           w->end_steps, w->twice_mm);
+    fflush(stdout);
+}

@@ -1,0 +1,33 @@
+/* run_cases.h - what the property and hard tests share: limits, the account of the worst, and how a failure is told. */
+#ifndef RUN_CASES_H
+#define RUN_CASES_H
+
+#include <stdint.h>
+
+#include "tests/oracle/run_kernel.h"
+
+/* The limits of every test: no run of missing or false ink longer than one step, ends within a quarter step, nothing
+ * drawn twice (but for the rounding of a crossing to the nearest 2^-30 of a cell). */
+#define CASES_RUN_MM JUDGE_STEP_MM
+#define CASES_END_STEPS 0.25
+#define CASES_TWICE_MM 1e-3
+
+typedef struct cases {
+    const char *name;
+    judge_report_t worst;
+    int64_t run, facets;
+} cases_t;
+
+/* RIDGELINE_CASES multiplies how many cases are tried (default 1, may be a fraction). */
+uint64_t cases_scaled(uint64_t n);
+/* RIDGELINE_SEED, if set, is the one seed to try: returns true and puts it into *seed. */
+bool cases_only_seed(uint64_t *seed);
+/* Is the drawing within the limits? */
+bool cases_good(const judge_report_t *r);
+/* Draws and judges a surface scene. On failure prints the figures; with shrink, a smaller scene and the command that
+ * repeats the failure as well. Returns false on failure. */
+bool cases_surface(cases_t *c, const scene_t *s, uint64_t seed, bool shrink);
+/* One `# ` line with the worst figures. */
+void cases_summary(const cases_t *c);
+
+#endif

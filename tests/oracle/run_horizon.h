@@ -1,0 +1,11 @@
+/* run_horizon.h - profiles of doubles through the horizon kernel. */
+#ifndef RUN_HORIZON_H
+#define RUN_HORIZON_H
+
+#include "tests/oracle/horizon_ref.h"
+#include "tests/oracle/run_kernel.h"
+
+/* Draws the profiles of r; pieces come as the judge's, family 0. Returns the kernel's result. */
+int run_horizon(const horizon_ref_t *r, drawing_t *d, hidden_stats_t *stats);
+
+#endif

@@ -1,0 +1,25 @@
+/* run_kernel.h - a scene of doubles through the kernels under test, and what they drew as the judge's pieces. */
+#ifndef RUN_KERNEL_H
+#define RUN_KERNEL_H
+
+#include "hidden/hidden.h"
+#include "num/num.h"
+#include "tests/oracle/scenes.h"
+#include "view/camera.h"
+
+typedef struct drawing {
+    judge_piece_t *piece;
+    size_t n, cap;
+} drawing_t;
+
+void drawing_free(drawing_t *d);
+/* v exactly, as long as it is finite. */
+num_t run_num(double v);
+/* The eye as the kernels want it; the matrix, which they do not look at, is left zero. */
+camera_t run_camera(const exact_eye_t *eye);
+/* A sink that collects into d. Families other than rows and columns keep their numbers. */
+ink_sink_t run_sink(drawing_t *d);
+/* Draws s by the perimeter kernel, with plenty of memory. Returns its result. */
+int run_perimeter(const scene_t *s, drawing_t *d, hidden_stats_t *stats);
+
+#endif
