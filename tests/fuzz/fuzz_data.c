@@ -1,0 +1,72 @@
+/* fuzz_data.c - the data reader alone: any bytes, cut anywhere, in every format. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "error.h"
+#include "scene/data_reader.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+enum { POOL = 512, GRIDS = 3 };
+
+static num_t compute(void *ctx, int32_t part) {
+    const data_reader_t *r = ctx;
+    return num_mul(r->column[1 + part], r->column[CONFIG_DATA_COLUMNS]);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    if (size < 4) return 0;
+    static packed_t memory[POOL];
+    static data_grid_t grid[GRIDS];
+    static data_reader_t reader;
+    data_pool_t pool = {memory, 0, data[0] & 1 ? POOL : 16};
+    data_spec_t spec;
+    data_spec_default(&spec);
+    spec.format = (enum data_format)(data[0] / 2 % 3);
+    spec.separator = data[0] & 8 ? ';' : '\0';
+    if (data[0] & 16) {
+        spec.parts = data[1] & 1 ? 1 : 3;
+        for (int k = 0; k < 3; k++) {
+            spec.part[k] = (data[1] >> (2 * k + 1) & 3) + k - 2;
+            if (spec.part[k] > 0) spec.wanted |= (uint64_t)1 << spec.part[k];
+        }
+        if (data[1] & 128) {
+            spec.part[spec.parts - 1] = USING_EXPR;
+            spec.all = true;
+        }
+        spec.compute = compute;
+        spec.ctx = &reader;
+    }
+    if (data[0] & 32) {
+        spec.first_set = data[2] & 1;
+        spec.last_set = data[2] >> 1 & 3;
+        spec.point_step = 1 + (data[2] >> 3 & 1);
+        spec.block_step = 1 + (data[2] >> 4 & 1);
+        spec.first_point = data[2] >> 5 & 1;
+    }
+    data_reader_start(&reader, &spec, &pool, grid, GRIDS, data[0] & 64, 0);
+    size_t chunk = 1 + data[3] % 32;
+    int err = 0;
+    for (size_t at = 4; !err && at < size; at += chunk)
+        err = data_reader_feed(&reader, (const char *)data + at, size - at < chunk ? size - at : chunk);
+    if (err) {
+        if (reader.trouble == DATA_OK || !data_grid_text(reader.trouble) || reader.line < 1) abort();
+        return 0;
+    }
+    int n = data_reader_finish(&reader);
+    for (int k = 0; k < n; k++) {
+        data_view_t v;
+        surface_t s;
+        if (data_grid_surface(&grid[k], NULL, NULL, &v, &s)) abort();
+        if (s.nx < 2 || s.ny < 2) abort();
+        for (int32_t i = 1; i < s.nx; i++)
+            if (num_cmp(s.x_of(s.ctx, i - 1), s.x_of(s.ctx, i)) >= 0) abort();
+        for (int32_t j = 1; j < s.ny; j++)
+            if (num_cmp(s.y_of(s.ctx, j - 1), s.y_of(s.ctx, j)) >= 0) abort();
+        for (int32_t j = 0; j < s.ny; j++)
+            for (int32_t i = 0; i < s.nx; i++) s.z_of(s.ctx, i, j);
+        num_t lim[2] = {s.x_of(s.ctx, 0), s.x_of(s.ctx, 1)};
+        if (data_grid_surface(&grid[k], lim, NULL, &v, &s) || s.nx != 2) abort();
+    }
+    return 0;
+}
