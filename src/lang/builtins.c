@@ -51,9 +51,12 @@ static const char *fn_ceil(lang_t *l, value_t *a, int n) {
 
 static const char *fn_atan2(lang_t *l, value_t *a, int n) {
     (void)l, (void)n;
-    bool nan = a[0].kind == VALUE_UNDEF || a[1].kind == VALUE_UNDEF;
-    const char *fault = give(a, func_atan2(value_num(a[0]), value_num(a[1])));
-    return nan ? NULL : fault;
+    num_t y = value_num(a[0]), x = value_num(a[1]);
+    if (y.undef || x.undef) {
+        *a = value_undef();
+        return NULL;
+    }
+    return y.m == 0 && x.m == 0 ? ARITH_UNDEFINED : give(a, func_atan2(y, x));
 }
 
 /* The smallest argument if sign is -1, the largest if it is 1; NaN if there is one. */
@@ -94,16 +97,19 @@ static const char *fn_rand(lang_t *l, value_t *a, int n) {
         bool ok = true;
         int64_t seed = num_to_fixed(num_trunc(arg), 0, &ok);
         if (!ok || seed < 1 || seed >= M2) return "illegal seed value";
-        l->seed[0] = l->seed[1] = (int32_t)seed;
+        l->seed[0] = l->seed[1] = (uint32_t)seed;
     }
-    /* Schrage's way to a * seed mod m: every product stays below 2^31. */
-    int32_t k = l->seed[0] / 53668;
-    l->seed[0] = 40014 * (l->seed[0] - k * 53668) - k * 12211;
-    if (l->seed[0] < 0) l->seed[0] += M1;
-    k = l->seed[1] / 52774;
-    l->seed[1] = 40692 * (l->seed[1] - k * 52774) - k * 3791;
-    if (l->seed[1] < 0) l->seed[1] += M2;
-    int32_t z = l->seed[0] - l->seed[1];
+    int32_t a0 = (int32_t)l->seed[0], a1 = (int32_t)l->seed[1];
+    /* Schrage's way to a * seed mod m: every product stays below 2^31, whatever the 32 bits of the seed are. */
+    int32_t k = a0 / 53668;
+    a0 = 40014 * (a0 - k * 53668) - k * 12211;
+    if (a0 < 0) a0 += M1;
+    k = a1 / 52774;
+    a1 = 40692 * (a1 - k * 52774) - k * 3791;
+    if (a1 < 0) a1 += M2;
+    l->seed[0] = (uint32_t)a0;
+    l->seed[1] = (uint32_t)a1;
+    int32_t z = a0 - a1;
     if (z < 1) z += M1 - 1;
     /* gnuplot's factor, 4.656613057e-10, a little less than 1 / M1: the result is inside ]0, 1[. */
     return give(a, num_mul(num_from_i64(z), num_from_decimal(4656613057u, -19)));

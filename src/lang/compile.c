@@ -42,9 +42,11 @@ typedef struct compiler {
     lang_error_t *err;
     uint8_t *buf;
     size_t size;
-    uint32_t len;       /* bytes of code, also those that did not fit */
-    int pending;        /* entries of stack in use */
-    int depth, deepest; /* operands on the evaluator's stack */
+    uint32_t len; /* bytes of code, also those that did not fit */
+    int pending;  /* entries of stack in use */
+    /* Operands on the evaluator's stack; a left side that a jump or comma has dropped keeps its place here until
+     * the whole is known, so that the whole starts where the left side did. */
+    int depth, deepest;
     bool columns;
     pending_t stack[CONFIG_NESTING];
     struct {
@@ -236,7 +238,7 @@ static void reduce_one(compiler_t *c) {
     case P_LOGIC:
         emit(c, OP_BOOL);
         patch(c, p.at);
-        operated(c, 1, false, false);
+        operated(c, 2, false, false);
         break;
     case P_SET:
         emit2(c, OP_SET, p.a);
@@ -244,7 +246,7 @@ static void reduce_one(compiler_t *c) {
         break;
     default: /* P_ELSE */
         patch(c, p.at);
-        operated(c, 1, false, false);
+        operated(c, 2, false, false);
         break;
     }
 }
@@ -454,11 +456,9 @@ static int behind_operand(compiler_t *c) {
         int level = token == TOKEN_AND ? AND : OR;
         reduce(c, level);
         r = open_new(c, P_LOGIC, level, emit_jump(c, level == AND ? OP_AND : OP_OR));
-        c->depth--;
     } else if (token == '?') {
         reduce(c, LOOSE + 1);
         r = open_new(c, P_THEN, 0, emit_jump(c, OP_JZ));
-        c->depth--;
     } else if (token == '!') {
         emit(c, OP_FACT);
         operated(c, 1, true, false);
@@ -472,15 +472,19 @@ static int behind_operand(compiler_t *c) {
     } else if (token == ',' && in && in->kind != P_THEN) {
         reduce(c, LOOSE);
         if (in->kind == P_GROUP) {
+            if (in->at) operated(c, 2, false, false);
+            in->at = 1;
             emit(c, OP_POP);
-            c->depth--;
         } else if (++in->at > EXPR_PARAMS) {
             return lang_error_set_number(c->err, ERR_FULL, lexer_column(lx), "too many arguments", EXPR_PARAMS);
         }
     } else if (token == ')' && in && in->kind != P_THEN) {
         reduce(c, LOOSE);
         pending_t p = c->stack[--c->pending];
-        r = p.kind == P_GROUP ? 0 : close_call(c, p);
+        if (p.kind != P_GROUP)
+            r = close_call(c, p);
+        else if (p.at)
+            operated(c, 2, false, false);
         if (r == 0) r = 1;
     } else if (in) {
         return lexer_unexpected(lx, c->err, in->kind == P_THEN ? "expecting ':'" : "')' expected");

@@ -77,9 +77,8 @@ int expr_integer(lang_t *l, lexer_t *lx, int32_t lo, int32_t hi, int32_t *out, l
     int r = expr_number(l, lx, &n, err);
     if (r < 0) return r;
     if (!num_is_integer(n)) return lang_error_set(err, ERR_VALUE, column, "a whole number is needed");
-    bool ok = true;
-    int64_t i = num_to_fixed(n, 0, &ok);
-    if (!ok || i < lo) return lang_error_set_number(err, ERR_VALUE, column, "number out of range, the least is", lo);
+    int64_t i = num_to_fixed(n, 0, NULL); /* saturates, which is out of range */
+    if (i < lo) return lang_error_set_number(err, ERR_VALUE, column, "number out of range, the least is", lo);
     if (i > hi) return lang_error_set_number(err, ERR_VALUE, column, "number out of range, the greatest is", hi);
     *out = (int32_t)i;
     return 0;
@@ -87,21 +86,18 @@ int expr_integer(lang_t *l, lexer_t *lx, int32_t lo, int32_t hi, int32_t *out, l
 
 /* Does `(a,b) =` stand here, and what are the names? lx is behind the `=` then. */
 static int parameter_list(lexer_t *lx, expr_params_t *params, lang_error_t *err) {
-    bool too_many = false;
     params->count = 0;
     params->any_kind = true;
     do {
         lexer_next(lx);
         if (lx->tok.kind != TOKEN_NAME || lx->tok.len > UINT8_MAX) return 0;
-        too_many = params->count == EXPR_PARAMS;
-        if (!too_many) {
-            params->name[params->count].text = lexer_text(lx);
-            params->name[params->count++].len = (uint8_t)lx->tok.len;
-        }
+        if (params->count == EXPR_PARAMS)
+            return lang_error_set_number(err, ERR_FULL, lexer_column(lx), "function has too many parameters",
+                                         EXPR_PARAMS);
+        params->name[params->count].text = lexer_text(lx);
+        params->name[params->count++].len = (uint8_t)lx->tok.len;
         lexer_next(lx);
-    } while (lx->tok.kind == ',' && !too_many);
-    if (too_many)
-        return lang_error_set_number(err, ERR_FULL, lexer_column(lx), "function has too many parameters", EXPR_PARAMS);
+    } while (lx->tok.kind == ',');
     return lexer_accept(lx, ')') && lexer_accept(lx, '=');
 }
 
