@@ -119,7 +119,9 @@ test-fuzz: fuzz
 
 # libFuzzer programs: everything compiled again by clang with coverage, ASan and UBSan.
 FUZZ_SECONDS ?= 60
-FUZZ_CFLAGS := -std=c11 -g -O1 -MMD -MP -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
+# A tree of calls that only the limit ends would take seconds here: a lower one.
+FUZZ_CFLAGS := -std=c11 -g -O1 -MMD -MP -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all \
+               -DCONFIG_CALL_WORK=10000
 FUZZ_OBJ := $(CORE_SRC:%.c=$(BUILDDIR)/fuzz/obj/%.o) $(SIM_SRC:%.c=$(BUILDDIR)/fuzz/obj/%.o)
 fuzz: $(FUZZERS) ## run each fuzz target for FUZZ_SECONDS (60)
 	$(Q)FUZZ_SECONDS=$(FUZZ_SECONDS) $(RUN_TESTS) $(FUZZERS)

@@ -97,9 +97,9 @@ static const char *fn_rand(lang_t *l, value_t *a, int n) {
         bool ok = true;
         int64_t seed = num_to_fixed(num_trunc(arg), 0, &ok);
         if (!ok || seed < 1 || seed >= M2) return "illegal seed value";
-        l->seed[0] = l->seed[1] = (uint32_t)seed;
+        l->seed[0] = l->seed[1] = (int32_t)seed;
     }
-    int32_t a0 = (int32_t)l->seed[0], a1 = (int32_t)l->seed[1];
+    int32_t a0 = l->seed[0], a1 = l->seed[1];
     /* Schrage's way to a * seed mod m: every product stays below 2^31, whatever the 32 bits of the seed are. */
     int32_t k = a0 / 53668;
     a0 = 40014 * (a0 - k * 53668) - k * 12211;
@@ -107,8 +107,8 @@ static const char *fn_rand(lang_t *l, value_t *a, int n) {
     k = a1 / 52774;
     a1 = 40692 * (a1 - k * 52774) - k * 3791;
     if (a1 < 0) a1 += M2;
-    l->seed[0] = (uint32_t)a0;
-    l->seed[1] = (uint32_t)a1;
+    l->seed[0] = a0;
+    l->seed[1] = a1;
     int32_t z = a0 - a1;
     if (z < 1) z += M1 - 1;
     /* gnuplot's factor, 4.656613057e-10, a little less than 1 / M1: the result is inside ]0, 1[. */

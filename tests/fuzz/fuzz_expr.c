@@ -1,7 +1,6 @@
 /* fuzz_expr.c - libFuzzer target: any bytes as lines of definitions and expressions.
  *
  *     make fuzz
- * src/...
  *
  * Whatever the text is, nothing crashes or hangs, the lexer always gets further, an error has a code, a message and a
  * column inside of the line, and the pool stays in order. Each line is evaluated as a definition, or as
