@@ -27,6 +27,10 @@ bool cases_good(const judge_report_t *r);
 /* Draws and judges a surface scene. On failure prints the figures; with shrink, a smaller scene and the command that
  * repeats the failure as well. Returns false on failure. */
 bool cases_surface(cases_t *c, const scene_t *s, uint64_t seed, bool shrink);
+/* `count` scenes from seed `first` on, with up to `max` vertices a side; or the one of RIDGELINE_SEED if it lies in
+ * the 10^9 seeds from `first` on, so that a seed says which test it belongs to. Shrinks the first three failures.
+ * Returns the number of failures, at most 20. */
+int cases_random_surfaces(const char *name, uint64_t first, uint64_t count, int max, bool holes);
 /* One `# ` line with the worst figures. */
 void cases_summary(const cases_t *c);
 
