@@ -67,7 +67,8 @@ static const topic_t topics[] = {
      "splot 'file' [matrix | nonuniform matrix] [index M[:N]] [every A:B:C:D:E:F] [using 1:2:3]\n"
      "Rows x y z, isolines separated by a blank line, data sets by two; or rows of one z: x and y are then counted\n"
      "from 0. Points must lie on a grid of x and y lines, spaced as they like. NaN and ? are holes; # begins a\n"
-     "comment. using 1:2:($3*2) computes from columns; using 1 takes one column of heights.\n"},
+     "comment. using 1:2:($3*2) computes from columns; using 1 takes one column of heights.\n"
+     "splot 'terrain.obj': a terrain of triangles, for set hidden3d horizon.\n"},
     {"fu$nctions",
      "abs acos asin atan atan2 besj0 besj1 ceil cos cosh erf exp floor gamma int invnorm log log10 max min norm\n"
      "rand real sgn sin sinh sqrt tan tanh; operators ** ! - + * / % << >> < <= > >= == != & ^ | && || ?:\n"

@@ -35,14 +35,19 @@ static void start_reader(session_t *s, session_source_t *src, bool inline_data, 
                       CONFIG_PLOT_ITEMS - s->plot.grids, inline_data, first_line);
 }
 
-/* The reader's error, in the data's own lines. */
+/* A reader's error, in the data's own lines. */
+static int trouble(session_t *s, const session_source_t *src, int err, enum data_grid_trouble why, int32_t line,
+                   int32_t at) {
+    if (why == DATA_OK) return fail_at(s, src, err, err == ERR_EMPTY ? "no data" : error_text(err));
+    lang_error_set(&s->error, err, at, data_grid_text(why));
+    s->error.line = line;
+    return err;
+}
+
 static int data_failed(session_t *s, const session_source_t *src, int err) {
     const data_reader_t *r = &s->plot.reader;
     s->lang.column = NULL;
-    if (r->trouble == DATA_OK) return fail_at(s, src, err, err == ERR_EMPTY ? "no data" : error_text(err));
-    lang_error_set(&s->error, err, r->at, data_grid_text(r->trouble));
-    s->error.line = r->line;
-    return err;
+    return trouble(s, src, err, r->trouble, r->line, r->at);
 }
 
 /* The data of source[next] are complete. */
@@ -62,20 +67,41 @@ static int data_done(session_t *s) {
     return 0;
 }
 
-static int read_file(session_t *s, session_source_t *src) {
-    char *name = s->frame_name[0];
+/* A terrain comes alone. */
+static int read_mesh(session_t *s, session_source_t *src, int handle) {
     session_chunk_t *c = &s->frame_chunk[0];
     const session_port_t *port = s->port;
-    lexer_string(&src->name, name, CONFIG_NAME_MAX + 1);
-    int handle = port->open(port->ctx, name);
-    if (handle < 0)
-        return lang_error_set_name(&s->error, handle, src->column, "cannot read the data file", name, strlen(name));
+    obj_reader_t r;
+    obj_reader_start(&r, &s->pool);
+    int err = 0;
+    for (int n; !err && (n = port->read(port->ctx, handle, c->bytes, CONFIG_READ_CHUNK)) != 0;)
+        err = n < 0 ? n : obj_reader_feed(&r, c->bytes, (size_t)n);
+    if (!err) err = obj_reader_finish(&r, &s->plot.mesh);
+    if (err) return trouble(s, src, err, r.trouble, r.line, r.at);
+    s->plot.kind = PLOT_MESH;
+    s->plot.next++;
+    return 0;
+}
+
+static int read_grids(session_t *s, session_source_t *src, int handle) {
+    session_chunk_t *c = &s->frame_chunk[0];
+    const session_port_t *port = s->port;
     start_reader(s, src, false, 0);
     int err = 0;
     for (int n; !err && (n = port->read(port->ctx, handle, c->bytes, CONFIG_READ_CHUNK)) != 0;)
         err = n < 0 ? n : data_reader_feed(&s->plot.reader, c->bytes, (size_t)n);
-    port->close(port->ctx, handle);
     return err ? data_failed(s, src, err) : data_done(s);
+}
+
+static int read_file(session_t *s, session_source_t *src) {
+    char *name = s->frame_name[0];
+    lexer_string(&src->name, name, CONFIG_NAME_MAX + 1);
+    int handle = s->port->open(s->port->ctx, name);
+    if (handle < 0)
+        return lang_error_set_name(&s->error, handle, src->column, "cannot read the data file", name, strlen(name));
+    int err = src->kind == SOURCE_MESH ? read_mesh(s, src, handle) : read_grids(s, src, handle);
+    s->port->close(s->port->ctx, handle);
+    return err;
 }
 
 /* The extent of all data along x (k = 0) or y, in which functions beside them are drawn. */
@@ -143,6 +169,11 @@ static int data_item(session_t *s, const session_source_t *src, const data_grid_
 static int make_items(session_t *s) {
     int n = 0;
     num_t lo[2], hi[2];
+    if (s->plot.kind == PLOT_MESH) {
+        const session_source_t *src = &s->plot.source[0];
+        s->plot.item[0] = (plot_item_t){.title = src->title, .title_len = src->title_len, .mesh = s->plot.mesh};
+        return 1;
+    }
     for (int k = 0; k < 2; k++) {
         if (k == 1 && s->plot.kind == PLOT_CURVES) break; /* y is not a variable there */
         int err = function_range(s, k, &lo[k], &hi[k]);

@@ -18,6 +18,7 @@
 #include "lang/words.h"
 #include "scene/data_reader.h"
 #include "scene/expr_surface.h"
+#include "scene/obj_reader.h"
 #include <stddef.h>
 
 /* What the host or board does for a session. Functions return 0 (or a count) or a negative error, which ends the
@@ -118,6 +119,7 @@ typedef struct session {
         data_grid_t grid[CONFIG_PLOT_ITEMS];
         int32_t grids;
         data_reader_t reader;
+        mesh_t mesh;
         uint8_t code[CONFIG_PLOT_CODE];
     } plot;
     data_pool_t pool;

@@ -16,8 +16,9 @@ static const char *const TEXT[] = {
     [DATA_TOO_SMALL] = "a surface needs at least 2 x 2 points",
     [DATA_SETS] = "more data sets than can be drawn at once; choose with `index`",
     [DATA_TWO_COLUMNS] = "a surface needs one column (z) or three (x y z), not two",
-    [DATA_SHORT] = "this row lacks a column that is needed",
+    [DATA_SHORT] = "this line lacks a number that is needed",
     [DATA_TEXT] = "not a number",
+    [DATA_VERTEX] = "there is no vertex of this number before this line",
 };
 
 const char *data_grid_text(enum data_grid_trouble trouble) {

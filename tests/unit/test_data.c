@@ -174,9 +174,9 @@ static void wrong_data_name_their_line(void **state) {
         {"", "1 2\n3 4\n", ERR_DATA, 1, 0, "not two"},
         {"", "0 0 1\n0 1 x\n", ERR_DATA, 2, 5, "not a number"},
         {"", "0 0 1\n0 1e 2\n", ERR_DATA, 2, 3, "not a number"},
-        {"", "0 0 1\n0 1\n", ERR_DATA, 2, 0, "lacks a column"},
+        {"", "0 0 1\n0 1\n", ERR_DATA, 2, 0, "lacks a number"},
         {"", "0 0 1\n0 ? 1\n", ERR_DATA, 2, 0, "x or y"},
-        {"using 1:2:4", "0 0 1\n0 1 2\n", ERR_DATA, 1, 0, "lacks a column"},
+        {"using 1:2:4", "0 0 1\n0 1 2\n", ERR_DATA, 1, 0, "lacks a number"},
         {"matrix", "1 2 3\n4 5\n7 8 9\n", ERR_DATA, 2, 0, "another number of points"},
         {"matrix", "1 2 3\n4 5 6 7\n7 8 9\n", ERR_DATA, 2, 0, "another number of points"},
         {"matrix", "1 2\n3 z\n", ERR_DATA, 2, 3, "not a number"},
@@ -296,6 +296,45 @@ static void a_full_pool_is_an_ordinary_error(void **state) {
     assert_int_equal(fixture_feed(f, "splot x*y"), 0);
 }
 
+static void terrains_are_meshes(void **state) {
+    fixture_t *f = *state;
+    fixture_file(f, 0, "t.obj",
+                 "# a roof\no roof\nv 0 0 1.5\nv 1 0 2 # with a weight\r\nv 1 1 -3e0 1.0\nv 0 1 4\nvn 0 0 1\nvt 0 0\n"
+                 "f 1/1/1 2//1 3/2\nf -4 -2 -1\nf 1 1 2\nv 2 0 7\nv 2 1 8\nf 1 2 3 4\nf 2 5 6 3");
+    assert_int_equal(fixture_feed(f, "splot 't.obj' with lines"), 0);
+    assert_int_equal(f->kind, PLOT_MESH);
+    assert_int_equal(f->mesh.nv, 6);
+    assert_int_equal(f->mesh.nf, 6);
+    int32_t sum = 0;
+    for (int k = 0; k < 6; k++)
+        for (int c = 0; c < 3; c++) sum += f->mesh.face[k][c];
+    assert_int_equal(sum, 3 + 5 + 3 + 5 + 10 + 8);
+    assert_true(fixture_double(packed_num(f->mesh.vertex[2][2])) == -3);
+    assert_true(fixture_double(packed_num(f->mesh.vertex[5][0])) == 2);
+    static const struct {
+        const char *text;
+        int code, line, column;
+    } bad[] = {
+        {"v 1 2\n", ERR_DATA, 1, 0},          {"v 1 2 z\n", ERR_DATA, 1, 7},
+        {"v 0 0 0\nf 1 2 3", ERR_DATA, 2, 5}, {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n", ERR_DATA, 4, 0},
+        {"v 0 0 0\nf x", ERR_DATA, 2, 3},     {"v 0 0 0\n", ERR_EMPTY, 1, 7},
+        {"v 0 0 nan\n", ERR_DATA, 1, 7},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        session_init(&f->session, &f->port, f->pool, sizeof f->pool);
+        fixture_file(f, 0, "t.obj", bad[i].text);
+        assert_int_equal(fixture_feed(f, "splot 't.obj'"), bad[i].code);
+        assert_int_equal(f->session.error.line, bad[i].line);
+        assert_int_equal(f->session.error.column, bad[i].column);
+    }
+    fixture_file(f, 0, "t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3");
+    for (size_t units = 0; units < 13; units++) {
+        session_init(&f->session, &f->port, f->pool, units * 8);
+        assert_int_equal(fixture_feed(f, "splot 't.obj'"), units < 11 ? ERR_FULL : 0); /* 9 for vertices, 1.5 */
+    }
+    assert_int_equal(fixture_feed(f, "splot 't.obj', x*y"), ERR_UNSUPPORTED);
+}
+
 /* Whole megabytes through the reader alone. */
 static void reading_is_fast(void **state) {
     (void)state;
@@ -347,6 +386,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(inline_data, setup, teardown),
         cmocka_unit_test_setup_teardown(several_sets_are_several_surfaces, setup, teardown),
         cmocka_unit_test_setup_teardown(a_full_pool_is_an_ordinary_error, setup, teardown),
+        cmocka_unit_test_setup_teardown(terrains_are_meshes, setup, teardown),
         cmocka_unit_test(reading_is_fast),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
