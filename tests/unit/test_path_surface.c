@@ -1,55 +1,9 @@
 /* The ink stage behind the real kernel: the reference figures of the 40x40 sinc and of Anderson's smooth 60x60 surface,
  * and what a small memory costs. */
-#include "hidden/perimeter.h"
-#include "lang/settings.h"
 #include "path_scene.h"
-#include "view/camera.h"
-#include "view/page_map.h"
-#include <math.h>
+#include "path_surface.h"
 
-#define SIDE_MAX 60
-#define PIECES_MAX 4000
-
-typedef struct heights {
-    int32_t n;
-    double half; /* the surface is on [-half, half]^2 */
-    double (*f)(double r);
-} heights_t;
-
-/* A surface's ink, and its map to the page, moved and scaled if asked for. */
-typedef struct ink {
-    heights_t heights;
-    settings_t settings;
-    surface_t surface;
-    grid_t grid;
-    camera_t camera;
-    page_map_t map;
-    int32_t cache[SIDE_MAX * SIDE_MAX];
-    uint64_t table[PAGE_MAP_BYTES(SIDE_MAX, SIDE_MAX) / 8], work[1 << 15];
-    ink_piece_t piece[PIECES_MAX];
-    int pieces;
-    double scale;
-    page_point_t corner;
-} ink_t;
-
-static ink_t ink;
-
-static num_t num_of(double v) {
-    int e;
-    double m = frexp(v, &e);
-    return num_ldexp(num_from_i64((int64_t)ldexp(m, 53)), e - 53);
-}
-
-static double at(const heights_t *h, int32_t i) {
-    return h->half * (2.0 * i / (h->n - 1) - 1);
-}
-static num_t coordinate(void *ctx, int32_t i) {
-    return num_of(at(ctx, i));
-}
-static num_t height(void *ctx, int32_t i, int32_t j) {
-    heights_t *h = ctx;
-    return num_of(h->f(hypot(at(h, i), at(h, j))));
-}
+static surface_ink_t ink;
 
 static double sinc(double r) {
     return sin(r) / r;
@@ -58,50 +12,9 @@ static double hill(double r) {
     return exp(-r * r);
 }
 
-static int keep(void *ctx, const ink_piece_t *p) {
-    (void)ctx;
-    assert_true(ink.pieces < PIECES_MAX);
-    ink.piece[ink.pieces++] = *p;
-    return 0;
-}
-
-static bool point(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t_q30, page_point_t *out) {
-    page_point_t p;
-    (void)ctx;
-    (void)surface;
-    if (!line_space_point(&ink.map.lines, family, line, t_q30, &p)) return false;
-    out->x_lat = (int32_t)lround((p.x_lat - ink.corner.x_lat) * ink.scale);
-    out->y_lat = (int32_t)lround((p.y_lat - ink.corner.y_lat) * ink.scale);
-    return true;
-}
-
-/* Runs the kernel once. */
-static void prepare(int32_t n, double half, double (*f)(double), bool perspective) {
-    const ink_sink_t sink = {NULL, keep};
-    const hidden_job_t job = {.mem = ink.work, .bytes = sizeof ink.work, .sink = &sink};
-    hidden_stats_t stats;
-    view_box_t box = {.lo = {num_of(-half), num_of(-half)}, .hi = {num_of(half), num_of(half)}};
-    ink.heights = (heights_t){n, half, f};
-    ink.surface = (surface_t){n, n, &ink.heights, coordinate, coordinate, height};
-    settings_default(&ink.settings);
-    ink.settings.view.from = perspective;
-    ink.settings.view.eye[0] = num_from_i64(6);
-    ink.settings.view.eye[1] = num_from_i64(8);
-    ink.settings.view.eye[2] = num_from_i64(3);
-    assert_int_equal(grid_measure(&ink.grid, &ink.surface, NULL, NULL, ink.cache, NULL, NULL), 0);
-    box.lo[2] = ink.grid.z_min;
-    box.hi[2] = ink.grid.z_max;
-    assert_int_equal(camera_setup(&ink.camera, &ink.settings, &box), 0);
-    assert_int_equal(page_map_setup(&ink.map, &ink.grid, &ink.camera, ink.table), 0);
-    ink.pieces = 0;
-    ink.scale = 1;
-    ink.corner = (page_point_t){0, 0};
-    assert_int_equal(perimeter_draw(&ink.grid, &ink.camera, &job, &stats), 0);
-}
-
 static path_stats_t draw(size_t bytes, int32_t lines, int32_t effort, drawn_t *d) {
     static uint64_t mem[1 << 14];
-    const ink_map_t map = {NULL, point};
+    const ink_map_t map = {&ink, surface_ink_point};
     const pen_sink_t pen = drawn_sink(d);
     path_config_t c;
     path_stats_t stats;
@@ -156,7 +69,7 @@ static void fit(double width_mm) {
 static void sinc_reaches_the_reference(void **state) {
     drawn_t d = {0};
     (void)state;
-    prepare(40, 10, sinc, false);
+    assert_int_equal(surface_ink_make(&ink, 40, 10, sinc, false), 0);
     fit(260);
     path_stats_t s = draw(PATH_BYTES(1024, 1), 1, 1000, &d);
     double between = mm(s.up_lat) - hypot(d.p[0].x_lat, d.p[0].y_lat) / LAT_PER_MM -
@@ -169,18 +82,20 @@ static void sinc_reaches_the_reference(void **state) {
     assert_true(mm(s.up_lat) <= 547);
     drawn_free(&d);
     print_table("sinc 40x40", 1);
+    surface_ink_free(&ink);
 }
 
 static void smooth_reaches_the_reference(void **state) {
     drawn_t d = {0};
     (void)state;
-    prepare(60, 2, hill, true);
+    assert_int_equal(surface_ink_make(&ink, 60, 2, hill, true), 0);
     path_stats_t s = draw(PATH_BYTES(1024, 1), 1, 1000, &d);
     print_message("# path: smooth 60x60: %d strokes, %.0f mm drawn, %.0f mm pen-up; PLplot 11018 strokes, ln 150\n",
                   (int)s.strokes, mm(s.down_lat), mm(s.up_lat));
     assert_true(s.strokes <= 150);
     drawn_free(&d);
     print_table("smooth 60x60", 1);
+    surface_ink_free(&ink);
 }
 
 int main(void) {
