@@ -4,11 +4,12 @@
 
 #define CLUSTER_MAX 8 /* ends that are paired together: a grid node has four */
 #define SCAN_MAX                                                                                                       \
-    256             /* ends looked at in one bucket; more only if thousands crowd into one cell, and then any will do */
-#define CELL_BITS 4 /* a cell is at least 2^4 tolerances wide, so most queries see a single cell */
+    256 /* ends looked at in one bucket; more only if thousands crowd into one cell, and then any will do */
+#define BUCKET_MAX 16 /* ends of a bucket compared with each other directly */
+#define CELL_BITS 4   /* a cell is at least 2^4 tolerances wide, so most queries see a single cell */
 #define STRAIGHT (1 << 29)
 #define UNIT_BITS 13 /* of direction vectors */
-_Static_assert(POOL_WORK_PER_RUN >= 2 * sizeof(page_point_t) + 3 * sizeof(int32_t), "points, next, head");
+_Static_assert(POOL_WORK_PER_RUN >= 2 * sizeof(page_point_t) + 4 * sizeof(int32_t), "points, next, head");
 
 static uint32_t bucket(const chain_t *c, int32_t cx, int32_t cy) {
     /* neighbours in x stay neighbours in memory: runs arrive in an order that has locality, and caches like it */
@@ -29,7 +30,7 @@ int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near
     c->next = (int32_t *)(void *)(c->point + ends);
     c->head = c->next + ends;
     while (near_lat << CELL_BITS > 1 << c->shift) c->shift++;
-    while ((int32_t)(2 * c->mask + 2) <= pool->n) c->mask = 2 * c->mask + 1;
+    while ((int64_t)2 * c->mask + 2 <= 2 * (int64_t)pool->n) c->mask = 2 * c->mask + 1;
     for (uint32_t b = 0; b <= c->mask; b++) c->head[b] = -1;
     for (int32_t r = 0; r < pool->n; r++) {
         page_point_t from, to;
@@ -120,13 +121,44 @@ static void pair_cluster(chain_t *c, int32_t *end, int n) {
     }
 }
 
+static void pair_here(chain_t *c, int32_t *cluster, int n) {
+    if (n == 2 && cluster[0] != pool_other_end(cluster[1])) link_ends(c->pool, cluster[0], cluster[1]);
+    if (n > 2) pair_cluster(c, cluster, n);
+}
+
+/* Is all that is near p in p's own cell? */
+static bool is_inner(const chain_t *c, page_point_t p) {
+    int32_t last = (1 << c->shift) - 1, x = p.x_lat & last, y = p.y_lat & last;
+    return x >= c->near_lat && y >= c->near_lat && x <= last - c->near_lat && y <= last - c->near_lat;
+}
+
+/* Bucket by bucket, so that every end is fetched from memory once, and not once for each of its neighbours. */
 void chain_pair(chain_t *c) {
-    for (int32_t e = 0; e < 2 * c->pool->n; e++) {
-        int32_t cluster[CLUSTER_MAX];
-        if (c->pool->mate[e] >= 0) continue;
-        int n = chain_free_ends(c, c->point[e], cluster, CLUSTER_MAX);
-        if (n == 2 && cluster[0] != pool_other_end(cluster[1])) link_ends(c->pool, cluster[0], cluster[1]);
-        if (n > 2) pair_cluster(c, cluster, n);
+    for (uint32_t b = 0; b <= c->mask; b++) {
+        page_point_t point[BUCKET_MAX];
+        int32_t end[BUCKET_MAX], cluster[CLUSTER_MAX], ends = 0, e = c->head[b];
+        for (; e >= 0 && ends < BUCKET_MAX; e = c->next[e]) {
+            point[ends] = c->point[e];
+            end[ends++] = e;
+        }
+        bool whole = e < 0;
+        for (int i = 0; i < ends; i++) {
+            int n = 0;
+            bool inner = whole && is_inner(c, point[i]);
+            if (inner && ends == 1) break;
+            if (c->pool->mate[end[i]] >= 0) continue;
+            if (inner) {
+                for (int k = 0; k < ends && n < CLUSTER_MAX; k++) {
+                    if (is_near(c, point[i], point[k]) && c->pool->mate[end[k]] < 0) cluster[n++] = end[k];
+                }
+            } else {
+                n = chain_free_ends(c, point[i], cluster, CLUSTER_MAX);
+            }
+            pair_here(c, cluster, n);
+        }
+        for (; e >= 0; e = c->next[e]) {
+            if (c->pool->mate[e] < 0) pair_here(c, cluster, chain_free_ends(c, c->point[e], cluster, CLUSTER_MAX));
+        }
     }
 }
 

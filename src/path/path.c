@@ -41,21 +41,19 @@ static void account_arrivals(path_t *p, const chain_t *c, int32_t from) {
     }
 }
 
-static int draw_stroke(path_t *p, int32_t start) {
-    if (!emit_is_dot(&p->pool, p->map, start, p->config.step_lat))
-        return emit_stroke(&p->pool, p->map, start, &p->simplify, &p->stats.vertices);
+static bool drop_if_dot(path_t *p, int32_t start) {
+    if (!emit_is_dot(&p->pool, p->map, start, p->config.step_lat)) return false;
     p->stats.dots++;
     emit_drop(&p->pool, start);
-    return 0;
+    return true;
 }
 
 /* Dots need not be in the tour, once nothing can come that continues them. */
-static void drop_dots(path_t *p) {
+static void drop_dots(path_t *p, const chain_t *c) {
     for (int32_t e = 0; e < 2 * p->pool.n; e++) {
         int32_t far = ~p->pool.mate[e];
-        if (far < e || !emit_is_dot(&p->pool, p->map, e, p->config.step_lat)) continue;
-        p->stats.dots++;
-        emit_drop(&p->pool, e);
+        if (far < e || dist_between(c->point[e], c->point[far]) >= (uint32_t)p->config.step_lat) continue;
+        drop_if_dot(p, e);
     }
 }
 
@@ -77,7 +75,7 @@ static int flush(path_t *p, bool all) {
     chain_pair(&chain);
     chain_close(&chain);
     loop_open(&chain);
-    if (all) drop_dots(p);
+    if (all) drop_dots(p, &chain);
     tour_collect(&tour, &chain, p->at, p->config.home);
     tour_greedy(&tour);
     int64_t operations = (int64_t)p->config.effort * tour.n;
@@ -86,7 +84,9 @@ static int flush(path_t *p, bool all) {
     tour_settle(&tour);
     int32_t count = all ? tour.n : (tour.n + FLUSH_PART - 1) / FLUSH_PART;
     for (int32_t k = 0; k < count; k++) {
-        int err = draw_stroke(p, tour_stroke(&tour, pool, k));
+        int32_t start = tour_stroke(&tour, pool, k);
+        if (!all && drop_if_dot(p, start)) continue;
+        int err = emit_stroke(pool, p->map, start, &p->simplify, &p->stats.vertices);
         if (err) return err;
     }
     forget_drawn(pool);
