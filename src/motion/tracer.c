@@ -143,7 +143,6 @@ static void fit(tracer_t *t, const span_t *sp, const axis_t *a, int motor, uint3
 /* Steps of the axis before distance `to`. */
 static uint32_t steps_before(const axis_t *a, int64_t to_q16) {
     if (a->left == 0 || a->next_q16 >= to_q16) return 0;
-    if (a->pitch_q16 == 0) return a->left;
     int64_t n = (to_q16 - 1 - a->next_q16) / a->pitch_q16 + 1;
     return n < a->left ? (uint32_t)n : a->left;
 }
@@ -214,7 +213,7 @@ static axis_t axis_of(kinematics_pos_t pos, int64_t d, int32_t steps, int32_t go
     int64_t along = a.forward ? d : -d;
     int64_t along_q16 = along >> (KINEMATICS_STEP_BITS - 16);
     if (along_q16 <= 0) { /* a single step that a turn had left over */
-        a.next_q16 = length_q16;
+        a.next_q16 = a.pitch_q16 = length_q16;
         return a;
     }
     if (half < 0) half = 0;
