@@ -16,21 +16,6 @@ static num_t middle(num_t a, num_t b) {
     return num_ldexp(num_add(a, b), -1);
 }
 
-/* The largest k with a * 2^k < 2^bits; 0 for a == 0. a >= 0. */
-static int16_t bits_below(num_t a, int bits) {
-    return (int16_t)(a.m == 0 ? 0 : bits - 63 - a.e);
-}
-
-static int32_t fixed32(num_t a, int bits) {
-    int64_t v = num_to_fixed(a, bits, NULL);
-    return v > INT32_MAX ? INT32_MAX : v < -INT32_MAX ? -INT32_MAX : (int32_t)v;
-}
-
-static uint32_t fixed_u32(num_t a, int bits) {
-    int64_t v = num_to_fixed(a, bits, NULL);
-    return v > (int64_t)UINT32_MAX ? UINT32_MAX : (uint32_t)v;
-}
-
 static num_t x_at(const chart_t *c, int32_t i) {
     return c->grid->src->x_of(c->grid->src->ctx, i);
 }
@@ -60,44 +45,6 @@ static int32_t cell_of(num_t (*of)(void *ctx, int32_t k), void *ctx, int32_t n, 
     return lo;
 }
 
-/* The largest |numerator| and |numerator / distance| over the corners of a rectangle u x v seen from a distance
- * along v: numerator = (u - u_ref) - shear * (v - v_ref), distance = |v - eye|. */
-static num_t extent(const num_t u[2], const num_t v[2], num_t u_ref, num_t v_ref, num_t shear, num_t eye) {
-    num_t most = num_from_i64(0);
-    for (int k = 0; k < 4; k++) {
-        num_t n = num_sub(num_sub(u[k & 1], u_ref), num_mul(shear, num_sub(v[k >> 1], v_ref)));
-        most = max_num(most, num_abs(num_div(n, num_sub(v[k >> 1], eye))));
-    }
-    return most;
-}
-
-/* CHART_NORTH and CHART_EAST: u is the coordinate across, v the one whose distance divides. */
-static void init_single(chart_t *c, const num_t u[2], const num_t v[2], const num_t z[2], num_t eye_u, num_t eye_v,
-                        num_t *u_ref, num_t *v_ref) {
-    const num_t eye_z = c->cam->eye[2];
-    num_t mid_v = middle(v[0], v[1]), depth = num_sub(mid_v, eye_v);
-    *v_ref = mid_v;
-    *u_ref = eye_u;
-    c->z_ref = eye_z;
-    c->shear_a = c->shear_w = num_from_i64(0);
-    if (num_cmp(eye_u, u[0]) < 0 || num_cmp(eye_u, u[1]) > 0) {
-        *u_ref = middle(u[0], u[1]);
-        c->shear_a = num_div(num_sub(*u_ref, eye_u), depth);
-    }
-    if (num_cmp(eye_z, z[0]) < 0 || num_cmp(eye_z, z[1]) > 0) {
-        c->z_ref = middle(z[0], z[1]);
-        c->shear_w = num_div(num_sub(c->z_ref, eye_z), depth);
-    }
-    num_t nearest = num_sub(c->sign > 0 ? v[0] : v[1], eye_v);
-    num_t most_a = extent(u, v, *u_ref, *v_ref, c->shear_a, eye_v);
-    num_t most_w = extent(z, v, c->z_ref, *v_ref, c->shear_w, eye_v);
-    /* a = (p * r) >> 32: the scales of p and r add up to 32 more than that of a. r fills 32 bits at the nearest
-     * row, where |a| < 2^30 - so |p| < 2^31 there, and it is no larger elsewhere. */
-    c->r_bits = (int16_t)(bits_below(num_div(num_from_i64(1), num_abs(nearest)), 32));
-    c->p_bits = (int16_t)(bits_below(num_mul(most_a, num_from_fixed((1 << 16) + 1, 16)), 30) + 32 - c->r_bits);
-    c->z_bits = (int16_t)(bits_below(num_mul(most_w, num_from_fixed((1 << 16) + 1, 16)), 30) + 32 - c->r_bits);
-}
-
 static void init_parallel(chart_t *c, const num_t x[2], const num_t y[2], const num_t z[2]) {
     const num_t *e = c->cam->eye;
     num_t flat = num_sqrt(num_add(num_mul(e[0], e[0]), num_mul(e[1], e[1])));
@@ -108,26 +55,24 @@ static void init_parallel(chart_t *c, const num_t x[2], const num_t y[2], const 
     c->x_ref = middle(x[0], x[1]);
     c->y_ref = middle(y[0], y[1]);
     c->z_ref = middle(z[0], z[1]);
-    /* shear_a, shear_w hold the unit vector towards the eye in plan; climb its rise per unit of way. */
-    c->shear_a = num_div(e[0], flat);
-    c->shear_w = num_div(e[1], flat);
+    c->turn[0] = num_div(e[0], flat);
+    c->turn[1] = num_div(e[1], flat);
     num_t climb = num_div(e[2], flat);
     num_t half_x = num_sub(x[1], c->x_ref), half_y = num_sub(y[1], c->y_ref), half_z = num_sub(z[1], c->z_ref);
     num_t slack = num_from_fixed((1 << 16) + 1, 16);
-    num_t most_a = num_add(num_abs(num_mul(c->shear_w, half_x)), num_abs(num_mul(c->shear_a, half_y)));
-    num_t most_w = num_add(num_abs(num_mul(c->shear_a, half_x)), num_abs(num_mul(c->shear_w, half_y)));
+    num_t most_a = num_add(num_abs(num_mul(c->turn[1], half_x)), num_abs(num_mul(c->turn[0], half_y)));
+    num_t most_w = num_add(num_abs(num_mul(c->turn[0], half_x)), num_abs(num_mul(c->turn[1], half_y)));
     most_w = num_add(num_mul(num_abs(climb), most_w), half_z);
-    c->p_bits = bits_below(num_mul(most_a, slack), 30);
-    c->z_bits = bits_below(num_mul(most_w, slack), 30);
-    set_height_shifts(c);
+    c->x_bits = plane_bits_below(num_mul(most_a, slack), 30);
+    c->z_bits = plane_bits_below(num_mul(most_w, slack), 30);
     num_t rise = num_sub(c->grid->z_origin, c->z_ref);
     for (int32_t i = 0; i < c->grid->nx; i++) {
         num_t dx = num_sub(x_at(c, i), c->x_ref);
-        num_t climbed = num_mul(climb, num_mul(c->shear_a, dx));
-        c->column[i].p = fixed32(num_mul(c->shear_w, dx), c->p_bits);
-        c->column[i].s = fixed32(num_sub(rise, climbed), c->z_bits);
+        num_t climbed = num_mul(climb, num_mul(c->turn[0], dx));
+        c->column[i].p = plane_fixed(num_mul(c->turn[1], dx), c->x_bits);
+        c->column[i].s = plane_fixed(num_sub(rise, climbed), c->z_bits);
     }
-    c->shear_w = num_mul(climb, c->shear_w); /* what a row needs */
+    c->turn[1] = num_mul(climb, c->turn[1]); /* what a row needs */
 }
 
 /* 2^(31 + b) / d with b the number of bits of d, 32 bits; d > 0. */
@@ -143,23 +88,22 @@ static void init_around(chart_t *c, const num_t x[2], const num_t y[2], const nu
     num_t far_y = max_num(num_abs(num_sub(y[0], e[1])), num_abs(num_sub(y[1], e[1])));
     num_t far_z = max_num(num_abs(num_sub(z[0], e[2])), num_abs(num_sub(z[1], e[2])));
     c->x_ref = e[0], c->y_ref = e[1], c->z_ref = e[2];
-    c->p_bits = bits_below(far_x, 30);
-    c->y_bits = bits_below(far_y, 30);
-    c->z_bits = bits_below(far_z, 30);
-    set_height_shifts(c);
+    c->x_bits = plane_bits_below(far_x, 30);
+    c->y_bits = plane_bits_below(far_y, 30);
+    c->z_bits = plane_bits_below(far_z, 30);
     for (int32_t i = 0; i < c->grid->nx; i++) {
         chart_column_t *k = &c->column[i];
-        k->p = fixed32(num_sub(x_at(c, i), e[0]), c->p_bits);
+        k->p = plane_fixed(num_sub(x_at(c, i), e[0]), c->x_bits);
         if (k->p != 0) k->r = reciprocal((uint32_t)(k->p < 0 ? -k->p : k->p), &k->s);
     }
     /* w = dz / distance * 2^w_bits: as much as the nearest border allows, but never less than leaves 2^12 for the
      * steepest slope. */
     int32_t bits = 30 - AROUND_W_BITS;
     num_t gap = num_from_i64(0);
-    if (c->side_x != 0) gap = num_ldexp(num_abs(num_sub(x[c->side_x > 0], e[0])), c->p_bits);
+    if (c->side_x != 0) gap = num_ldexp(num_abs(num_sub(x[c->side_x > 0], e[0])), c->x_bits);
     if (c->side_y != 0) gap = max_num(gap, num_ldexp(num_abs(num_sub(y[c->side_y > 0], e[1])), c->y_bits));
     if (gap.m != 0) {
-        int32_t more = bits_below(num_div(num_ldexp(far_z, c->z_bits), gap), 30);
+        int32_t more = plane_bits_below(num_div(num_ldexp(far_z, c->z_bits), gap), 30);
         if (more > bits) bits = more > 30 ? 30 : more;
     }
     c->w_shift = (int16_t)(31 - bits);
@@ -207,6 +151,7 @@ void chart_init(chart_t *c, grid_t *g, const camera_t *cam, chart_column_t *colu
         c->j0 = c->side_y > 0 ? g->ny - 2 : 0;
         c->kind = CHART_PARALLEL;
         init_parallel(c, x, y, z);
+        set_height_shifts(c);
         return;
     }
     c->i0 = cell_of(src->x_of, src->ctx, g->nx, e[0], &c->side_x);
@@ -218,68 +163,65 @@ void chart_init(chart_t *c, grid_t *g, const camera_t *cam, chart_column_t *colu
     if (num_cmp(slope_y, limit) < 0 && num_cmp(slope_y, slope_x) <= 0) {
         c->kind = CHART_NORTH;
         c->sign = (int8_t)-c->side_y;
-        init_single(c, x, y, z, e[0], e[1], &c->x_ref, &c->y_ref);
-        set_height_shifts(c);
+        plane_init(&c->plane, true, x, y, z, e);
+        c->z_bits = c->plane.z_bits;
         for (int32_t i = 0; i < g->nx; i++) {
-            int32_t p = fixed32(num_sub(x_at(c, i), c->x_ref), c->p_bits);
+            int32_t p = plane_u(&c->plane, x_at(c, i));
             column[i].p = c->sign > 0 ? -p : p;
         }
     } else if (num_cmp(slope_x, limit) < 0) {
         c->kind = CHART_EAST;
         c->sign = (int8_t)-c->side_x;
-        init_single(c, y, x, z, e[1], e[0], &c->y_ref, &c->x_ref);
-        set_height_shifts(c);
-        num_t rise = num_sub(g->z_origin, c->z_ref);
+        plane_init(&c->plane, true, y, x, z, (num_t[3]){e[1], e[0], e[2]});
+        c->z_bits = c->plane.z_bits;
+        int32_t rise = plane_z(&c->plane, g->z_origin);
         for (int32_t i = 0; i < g->nx; i++) {
-            num_t dx = num_sub(x_at(c, i), c->x_ref);
-            int32_t p = fixed32(num_neg(num_mul(c->shear_a, dx)), c->p_bits);
+            int32_t p = plane_u_of_v(&c->plane, x_at(c, i));
             column[i].p = c->sign > 0 ? p : -p;
-            column[i].s = fixed32(num_sub(rise, num_mul(c->shear_w, dx)), c->z_bits);
-            column[i].r = fixed_u32(num_div(num_from_i64(1), num_abs(num_sub(x_at(c, i), e[0]))), c->r_bits);
+            column[i].s = rise + plane_z_of_v(&c->plane, x_at(c, i));
+            column[i].r = plane_reciprocal(&c->plane, x_at(c, i));
         }
     } else {
         c->kind = CHART_AROUND;
         init_around(c, x, y, z);
     }
+    set_height_shifts(c);
 }
 
-static inline int32_t upper_half(int32_t n, uint32_t r) {
-    return (int32_t)(((int64_t)n * (int64_t)r) >> 32);
+/* A height of the grid in the scale of w's numerator. */
+static inline int32_t scaled(const chart_t *c, int32_t zi) {
+    return (int32_t)((uint32_t)(zi >> c->z_down) << c->z_up);
 }
 
 static void row_parallel(const chart_t *c, num_t y, chart_line_t *line) {
     num_t dy = num_sub(y, c->y_ref);
-    int32_t q = -fixed32(num_mul(c->shear_a, dy), c->p_bits), t = -fixed32(num_mul(c->shear_w, dy), c->z_bits);
+    int32_t q = -plane_fixed(num_mul(c->turn[0], dy), c->x_bits), t = -plane_fixed(num_mul(c->turn[1], dy), c->z_bits);
     for (int32_t i = 0; i < c->grid->nx; i++) {
-        int32_t z = (int32_t)((uint32_t)(line->at[i].w >> c->z_down) << c->z_up);
+        int32_t z = scaled(c, line->at[i].w);
         line->at[i] = (pencil_t){c->column[i].p + q, z + c->column[i].s + t};
     }
 }
 
 static void row_north(const chart_t *c, num_t y, chart_line_t *line) {
-    num_t dy = num_sub(y, c->y_ref);
-    int32_t q = -fixed32(num_mul(c->shear_a, dy), c->p_bits);
+    int32_t q = plane_u_of_v(&c->plane, y), nx = c->grid->nx;
     if (c->sign > 0) q = -q;
-    num_t rise = num_sub(num_sub(c->grid->z_origin, c->z_ref), num_mul(c->shear_w, dy));
-    int32_t s = fixed32(rise, c->z_bits);
-    uint32_t r = fixed_u32(num_div(num_from_i64(1), num_abs(num_sub(y, c->cam->eye[1]))), c->r_bits);
+    const int32_t s = plane_z(&c->plane, c->grid->z_origin) + plane_z_of_v(&c->plane, y);
+    const uint32_t r = plane_reciprocal(&c->plane, y);
     const chart_column_t *column = c->column;
-    int32_t nx = c->grid->nx;
-    uint8_t up = c->z_up, down = c->z_down;
     line->r = r;
     for (int32_t i = 0; i < nx; i++) {
-        int32_t z = (int32_t)((uint32_t)(line->at[i].w >> down) << up);
-        line->at[i] = (pencil_t){upper_half(column[i].p + q, r), upper_half(z + s, r)};
+        int32_t z = scaled(c, line->at[i].w);
+        line->at[i] = (pencil_t){plane_project(column[i].p + q, r), plane_project(z + s, r)};
     }
 }
 
 static void row_east(const chart_t *c, num_t y, chart_line_t *line) {
-    int32_t q = fixed32(num_sub(y, c->y_ref), c->p_bits);
+    int32_t q = plane_u(&c->plane, y);
     if (c->sign < 0) q = -q;
     for (int32_t i = 0; i < c->grid->nx; i++) {
         const chart_column_t *k = &c->column[i];
-        int32_t z = (int32_t)((uint32_t)(line->at[i].w >> c->z_down) << c->z_up);
-        line->at[i] = (pencil_t){upper_half(k->p + q, k->r), upper_half(z + k->s, k->r)};
+        int32_t z = scaled(c, line->at[i].w);
+        line->at[i] = (pencil_t){plane_project(k->p + q, k->r), plane_project(z + k->s, k->r)};
     }
 }
 
@@ -311,13 +253,14 @@ int chart_sector(int32_t dx, int32_t dy) {
 }
 
 static void row_around(const chart_t *c, num_t y, chart_line_t *line) {
-    int32_t dy = fixed32(num_sub(y, c->y_ref), c->y_bits), s = fixed32(num_sub(c->grid->z_origin, c->z_ref), c->z_bits);
+    int32_t dy = plane_fixed(num_sub(y, c->y_ref), c->y_bits),
+            s = plane_fixed(num_sub(c->grid->z_origin, c->z_ref), c->z_bits);
     int32_t ay = dy < 0 ? -dy : dy, b = 0;
     uint32_t r = ay == 0 ? 0 : reciprocal((uint32_t)ay, &b);
     line->dy = dy;
     for (int32_t i = 0; i < c->grid->nx; i++) {
         const chart_column_t *k = &c->column[i];
-        int32_t dx = k->p, dz = (int32_t)((uint32_t)(line->at[i].w >> c->z_down) << c->z_up) + s;
+        int32_t dx = k->p, dz = scaled(c, line->at[i].w) + s;
         int sector = chart_sector(dx, dy);
         line->z[i] = dz;
         bool shown = false;

@@ -10,10 +10,7 @@
  *                    cut open in the south-west: Anderson's pseudo-angle. For eyes inside the rectangle of the
  *                    grid, on its border or very close to it.
  *
- * Scales. Both numerators are taken relative to the sight line through the middle of the scene before they become
- * integers, so a viewpoint a million units away loses nothing: all 30 bits show the scene. If the eye is within
- * the range of a coordinate the sight line keeps that coordinate, so that what lies in a grid plane through the eye
- * or level with it gets equal integers.
+ * Scales are chosen for the scene, relative to the sight line through its middle: see plane.h.
  * In CHART_AROUND w has no bound below the eye. What is steeper than CHART_AROUND's limit (2^12 times the
  * slope to the border: three steps on the page around the point below the eye) has no pencil coordinates: chart_line.at
  * has a == CHART_NONE there, and nothing can stand in front of it.
@@ -26,7 +23,7 @@
 
 #include "scene/grid.h"
 #include "view/camera.h"
-#include "view/pencil.h"
+#include "view/plane.h"
 
 #define CHART_NONE INT32_MIN
 #define CHART_SECTOR_BITS 28 /* CHART_AROUND: a sector is 2^28 units wide, the middle one of three cuts is at 0 */
@@ -45,17 +42,16 @@ typedef struct chart {
     enum chart_kind kind; /* CHART_VERTICAL: a parallel view straight down or up, nothing hides anything */
     grid_t *grid;
     const camera_t *cam;
-    int32_t i0, j0;                 /* the eye's cell, clamped to the grid */
-    int8_t side_x, side_y;          /* -1, 1: the eye is before the first, beyond the last column (row); 0: neither */
-    int8_t seen;                    /* 1: only upper sides can be seen, -1: only lower ones, 0: both */
-    int8_t sign;                    /* of dy (CHART_NORTH) or dx (CHART_EAST) */
-    uint8_t z_down, z_up;           /* heights become (zi >> z_down) << z_up */
-    int16_t p_bits, z_bits, r_bits; /* binary scales of a's and w's numerators and of the reciprocals */
-    int16_t y_bits, w_shift;        /* CHART_AROUND: scale of dy, of w */
-    num_t x_ref, y_ref;             /* the sight line passes over here */
-    num_t shear_a, shear_w;         /* its slopes in plan and in height, per unit of the denominator */
-    num_t z_ref;
-    chart_column_t *column; /* nx, in lent memory */
+    int32_t i0, j0;            /* the eye's cell, clamped to the grid */
+    int8_t side_x, side_y;     /* -1, 1: the eye is before the first, beyond the last column (row); 0: neither */
+    int8_t seen;               /* 1: only upper sides can be seen, -1: only lower ones, 0: both */
+    int8_t sign;               /* of dy (CHART_NORTH) or dx (CHART_EAST) */
+    uint8_t z_down, z_up;      /* heights become (zi >> z_down) << z_up */
+    plane_t plane;             /* CHART_NORTH: u is x, v is y; CHART_EAST: u is y, v is x */
+    num_t x_ref, y_ref, z_ref; /* CHART_PARALLEL: the middle; CHART_AROUND: the eye */
+    num_t turn[2];             /* CHART_PARALLEL: what a row's y adds to a and w, negative */
+    int16_t x_bits, y_bits, z_bits, w_shift; /* scales of a's and w's numerators, and of w (CHART_AROUND) */
+    chart_column_t *column;                  /* nx, in lent memory */
 } chart_t;
 
 /* One row of the grid in pencil coordinates. */
