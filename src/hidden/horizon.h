@@ -12,8 +12,8 @@
 
 /* Draws the visible pieces of the profiles into job->sink, family INK_PROFILE, `line` the profile, the parameter
  * counts its vertices. Each point is evaluated twice: once to find the scale, once to draw.
- * Returns 0, ERR_EMPTY when no point is defined, ERR_FULL when the horizons do not fit, ERR_UNSUPPORTED when the
- * eye is not in front of the nearest profile, or the sink's error. */
+ * Profiles behind the eye, or nearer to it than a 64th of the farthest one, are left out. Returns 0, ERR_EMPTY when no
+ * point in front of the eye is defined, ERR_FULL when the horizons do not fit, or the sink's error. */
 int horizon_draw(const profiles_t *src, const camera_t *cam, bool infinite, const hidden_job_t *job,
                  hidden_stats_t *stats);
 
