@@ -18,12 +18,13 @@ num_t func_pi(void) {
 
 /* atan(u) = u - u w for |u| < 2^-6.9; w in Q74. u in Q69. */
 static uint64_t atan_correction(int64_t u) {
-    uint64_t z = func_square(u); /* Q74, below 2^60.2 */
-    uint64_t zh = z >> 29;       /* Q45, 32 bits */
+    uint64_t z = func_square(u);       /* Q74, below 2^60.2 */
+    uint32_t zh = (uint32_t)(z >> 29); /* Q45, 32 bits */
     /* z/3 - z^2 (1/5 - z (1/7 - z/9)), the inner coefficients in Q34 */
-    uint64_t q = 2454267026u - ((zh * 1908874354u) >> 45);
-    uint64_t t = (zh * (3435973837u - ((zh * q) >> 45))) >> 32; /* Q47 */
-    return wide_mulhi_u64(z, 0x5555555555555555u) - ((t * zh) >> 18);
+    uint32_t q = 2454267026u - (uint32_t)(wide_mul_u32(zh, 1908874354) >> 45);
+    q = 3435973837u - (uint32_t)(wide_mul_u32(zh, q) >> 45);
+    uint64_t t = wide_mul_u32((uint32_t)(wide_mul_u32(zh, q) >> 32), zh); /* Q47 * Q45 */
+    return wide_mulhi_u64(z, 0x5555555555555555u) - (t >> 18);
 }
 
 /* atan(y/x) for 0 < y <= x, in *fixed as Q61 when it is added to something, and as a number. */

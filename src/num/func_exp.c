@@ -11,41 +11,46 @@
 #include <stddef.h>
 
 #define LN2_64_Q70 0xb17217f7d1cf79abu /* ln 2 / 64 in Q70 ... */
-#define LN2_64_Q70_NEXT 0xc9e3b398u    /* ... and its next 32 bits */
+#define LN2_64_Q70_NEXT 12920          /* ... and its next 14 bits */
 #define INV_LN2_64_Q24 1549082005      /* 64 / ln 2 */
 
-/* 2^(k/64) * e^r, r in Q70 with |r| < 0.00545 (2^62.5). Worst error 2^-54.8: that of the cubic term. */
+/* 2^(k/64) * e^r, r in Q70 with |r| < 0.00545 (2^62.5). Worst error 2^-55: that of the cubic term. */
 static num_t exp_reduced(int32_t k, int64_t r) {
     int32_t rh = (int32_t)(r >> 32);  /* Q38, 31 bits */
     uint64_t square = func_square(r); /* Q76, below 2^61 */
-    /* 1/6 + r/24 + r^2/120 + r^3/720, Q34; the next term is below 2^-46 of e^r's 1 */
-    int64_t q = 2863311531 + ((rh * (715827883 + ((rh * (143165577 + (((int64_t)rh * 23860929) >> 38))) >> 38))) >> 38);
-    int32_t rq = (int32_t)((rh * q) >> 32);                /* Q40, 30 bits */
-    int64_t cube = rq * (int64_t)(uint32_t)(square >> 29); /* Q87, 62 bits */
-    int64_t p = r + (int64_t)(square >> 7) + (cube >> 17); /* e^r - 1, Q70, below 2^62.5 */
+    /* 1/6 + r/24 + r^2/120 + r^3/720, Q33; the next term is below 2^-58 */
+    int32_t q = 71582788 + (int32_t)(wide_mul_s32(rh, 11930465) >> 38);
+    q = 357913941 + (int32_t)(wide_mul_s32(rh, q) >> 38);
+    q = 1431655765 + (int32_t)(wide_mul_s32(rh, q) >> 38);
+    int32_t rq = (int32_t)((wide_mul_s32(rh, q) + (1 << 29)) >> 30);        /* Q41, 31 bits */
+    int64_t cube = wide_mul_s32(rq, (int32_t)((square + (1 << 29)) >> 30)); /* Q87, 62 bits */
+    int64_t p = r + (int64_t)(square >> 7) + (cube >> 17);                  /* e^r - 1, Q70, below 2^62.5 */
     int64_t t = (int64_t)func_tables_exp2[k & 63];
     uint64_t u = (uint64_t)(t + ((wide_mulhi_s64(t, p) + 32) >> 6)); /* Q62, in [0.994, 2) */
     int low = (int)(u >> 62 ^ 1);
     return num_fast_make((int64_t)(u << low), (k >> 6) - 62 - low);
 }
 
+/* The integer nearest to 64 a / ln 2, a in Q21. */
+static int32_t steps(int32_t a21) {
+    return (int32_t)((wide_mul_s32(a21, INV_LN2_64_Q24) + ((int64_t)1 << 44)) >> 45);
+}
+
 num_t func_exp(num_t a) {
-    if (a.m == 0) return a.undef ? a : num_from_i64(1);
-    if (a.e > -53) return a.m > 0 ? num_undef() : num_from_i64(0); /* |a| >= 1024 */
-    int n = -(a.e + 21);                                           /* at least 32 */
-    int32_t a21 = (int32_t)(a.m >> (n < 63 ? n : 63));             /* Q21, 31 bits */
-    int32_t k = (int32_t)(((int64_t)a21 * INV_LN2_64_Q24 + ((int64_t)1 << 44)) >> 45);
+    if (NUM_FAST_RARE(a.m == 0)) return a.undef ? a : num_from_i64(1);
+    if (NUM_FAST_RARE(a.e > -53)) return a.m > 0 ? num_undef() : num_from_i64(0); /* |a| >= 1024 */
+    int n = -(a.e + 21);                                                          /* at least 32 */
+    int32_t k = n < 63 ? steps((int32_t)((int32_t)(a.m >> 32) >> (n - 32))) : 0;
     /* a - k ln2/64 modulo 2^64 in Q70: only the difference has to fit */
     int s = a.e + 70; /* at most 17 */
     uint64_t x = s >= 0 ? (uint64_t)a.m << s : (uint64_t)(a.m >> (s > -63 ? -s : 63));
-    uint64_t r = x - (uint64_t)k * LN2_64_Q70 - (uint64_t)(((int64_t)k * LN2_64_Q70_NEXT) >> 32);
+    uint64_t r = x - (uint64_t)k * LN2_64_Q70 - (uint64_t)(int64_t)((k * LN2_64_Q70_NEXT) >> 14); /* 17 + 14 bits */
     return exp_reduced(k, (int64_t)r);
 }
 
 num_t func_exp_wide(wide_t a) {
     if (a.hi >> 62 != a.hi >> 63) return a.hi > 0 ? num_undef() : num_from_i64(0);
-    int32_t a21 = (int32_t)(a.hi >> 31);
-    int32_t k = (int32_t)(((int64_t)a21 * INV_LN2_64_Q24 + ((int64_t)1 << 44)) >> 45);
+    int32_t k = steps((int32_t)(a.hi >> 31));
     /* ln2/64 in Q116 is 0x00002c5c85fdf473'de6af278ece600fd; its lower word counts as negative here */
     wide_t step = wide_mul_s64(k, (int64_t)0xde6af278ece600fdu);
     step.hi += k * (int64_t)0x00002c5c85fdf474;

@@ -22,8 +22,9 @@ int64_t func_chebyshev(const int64_t *c, int n, int64_t t);
 
 /* r^2 / 2^64 from two 32-bit products, up to 2 units low but never negative. */
 static inline uint64_t func_square(int64_t r) {
-    uint64_t u = ints_abs64(r), h = u >> 32;
-    return h * h + ((h * (uint32_t)u) >> 31);
+    uint64_t u = ints_abs64(r);
+    uint32_t h = (uint32_t)(u >> 32);
+    return wide_mul_u32(h, h) + (wide_mul_u32(h, (uint32_t)u) >> 31);
 }
 
 #endif

@@ -21,17 +21,17 @@ static parts_t split(num_t a) {
     uint64_t m = (uint64_t)a.m;
     p.j = (int32_t)((m + ((uint64_t)1 << 55)) >> 56) - 64;
     p.k = a.e + 62 + (p.j >= FUNC_TABLES_LOG_HALF);
-    wide_u_t f = wide_mul_u64(m, func_tables_log_factor[p.j]);
+    wide_u_t f = wide_mul_u64_u32(m, func_tables_log_factor[p.j]);
     p.r = (wide_t){(int64_t)f.hi - ((int64_t)1 << 9), f.lo};
     int64_t r = (int64_t)wide_sar(p.r, 4).lo; /* Q69, below 2^62.1 */
     int32_t rh = (int32_t)(r >> 32);          /* Q37 */
     /* g = 1/2 - r/3 + r^2/4 - ... ; from 1/5 to 1/10 in Q33, then Q62 */
-    int64_t h = 954437177 - (((int64_t)rh * 858993459) >> 37);
-    h = 1073741824 - ((rh * h) >> 37);
-    h = 1227133513 - ((rh * h) >> 37);
-    h = 1431655765 - ((rh * h) >> 37);
-    h = 1717986918 - ((rh * h) >> 37);
-    int64_t g = ((int64_t)1 << 60) - (wide_scale(r, (int32_t)h) >> 8);
+    int32_t h = 954437177 - (int32_t)(wide_mul_s32(rh, 858993459) >> 37);
+    h = 1073741824 - (int32_t)(wide_mul_s32(rh, h) >> 37);
+    h = 1227133513 - (int32_t)(wide_mul_s32(rh, h) >> 37);
+    h = 1431655765 - (int32_t)(wide_mul_s32(rh, h) >> 37);
+    h = 1717986918 - (int32_t)(wide_mul_s32(rh, h) >> 37);
+    int64_t g = ((int64_t)1 << 60) - (wide_scale(r, h) >> 8);
     g = 0x1555555555555555 - (wide_mulhi_s64(r, g) >> 5);
     g = ((int64_t)1 << 61) - (wide_mulhi_s64(r, g) >> 5);
     p.v = wide_mulhi_s64(r, g);
@@ -42,9 +42,10 @@ static wide_t sum(const parts_t *p) {
     wide_t l = wide_sub(wide_shl(p->r, 43), wide_sar(wide_mul_s64((int64_t)wide_sar(p->r, 4).lo, p->v), 20));
     l = wide_add(l, func_tables_log[p->j]);
     /* k log 2: log 2 in Q116 is 0x000b17217f7d1cf7'9abc9e3b39803f2f */
-    wide_t step = wide_mul_s64(p->k, (int64_t)0x9abc9e3b39803f2fu);
-    step.hi += p->k * (int64_t)0x000b17217f7d1cf8; /* one more: the lower word counts as negative */
-    return wide_add(l, step);
+    uint32_t n = (uint32_t)(p->k < 0 ? -p->k : p->k);
+    wide_u_t low = wide_mul_u64_u32(0x9abc9e3b39803f2fu, n);
+    wide_t step = {(int64_t)(low.hi + n * 0x000b17217f7d1cf7u), low.lo};
+    return p->k < 0 ? wide_sub(l, step) : wide_add(l, step);
 }
 
 wide_t func_log_wide(num_t a) {

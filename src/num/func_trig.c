@@ -47,15 +47,15 @@ static uint32_t reduce_large(num_t a, wide_t *r) {
 /* a = r + k pi/128 for a >= 2^-32, |r| <= 0.0126 in Q126; k modulo 256. */
 static uint32_t reduce(num_t a, wide_t *r) {
     if (a.e + 62 >= 20) return reduce_large(a, r);
-    int n = -(a.e + 11); /* at least 32 */
-    int32_t a11 = (int32_t)(a.m >> (n < 63 ? n : 63));
-    int32_t k = (int32_t)(((int64_t)a11 * 1367130551 + ((int64_t)1 << 35)) >> 36); /* 128/pi in Q25 */
+    int n = -(a.e + 43);                                                                  /* at least 0 */
+    uint32_t a11 = n < 31 ? (uint32_t)((uint64_t)a.m >> 32) >> n : 0;                     /* Q11 */
+    uint32_t k = (uint32_t)((wide_mul_u32(a11, 1367130551) + ((uint64_t)1 << 35)) >> 36); /* 128/pi in Q25 */
     /* pi/128 in Q158 is 0x01921fb54442d184'69898cc51701b839'a252049c */
-    wide_t step = wide_mul_s64(k, 0x69898cc51701b839);
-    step.hi = (int64_t)((uint64_t)step.hi + (uint64_t)(int64_t)k * 0x01921fb54442d184); /* wraps as step does */
-    step = wide_add(step, wide_from_s64(((int64_t)k * 0xa252049c) >> 32));
+    wide_u_t low = wide_mul_u64_u32(0x69898cc51701b839, k);
+    wide_t step = {(int64_t)(low.hi + k * 0x01921fb54442d184u), low.lo};
+    step = wide_add(step, wide_from_s64((int64_t)(wide_mul_u32(k, 0xa252049c) >> 32)));
     *r = wide_sub(wide_shl(wide_from_s64(a.m), a.e + 126), step);
-    return (uint32_t)k & 255;
+    return k & 255;
 }
 
 /* sin r = r - r * u and cos r = 1 - c; u, c in Q74. */
@@ -68,13 +68,15 @@ static small_t small_angle(wide_t r126) {
     small_t s;
     s.r = (int64_t)wide_sar(r126, 57).lo; /* below 2^62.7 */
     uint64_t z = func_square(s.r);        /* Q74, below 2^61.4 */
-    uint64_t zh = z >> 30;                /* Q44, 32 bits */
+    uint32_t zh = (uint32_t)(z >> 30);    /* Q44, 32 bits */
     /* u = z/6 - z^2 (1/120 - z/5040) */
-    uint64_t t = (zh * (2290649225u - ((zh * 54539267u) >> 44))) >> 32; /* Q38 -> Q50 */
-    s.u = wide_mulhi_u64(z, 0x2aaaaaaaaaaaaaabu) - ((t * zh) >> 20);
+    uint32_t q = 2290649225u - (uint32_t)(wide_mul_u32(zh, 54539267) >> 44); /* Q38 */
+    uint64_t t = wide_mul_u32((uint32_t)(wide_mul_u32(zh, q) >> 32), zh);    /* Q94 */
+    s.u = wide_mulhi_u64(z, 0x2aaaaaaaaaaaaaabu) - (t >> 20);
     /* c = z/2 - z^2 (1/24 - z/720) */
-    t = (zh * (2863311531u - ((zh * 95443718u) >> 44))) >> 32; /* Q36 -> Q48 */
-    s.c = (z >> 1) - ((t * zh) >> 18);
+    q = 2863311531u - (uint32_t)(wide_mul_u32(zh, 95443718) >> 44); /* Q36 */
+    t = wide_mul_u32((uint32_t)(wide_mul_u32(zh, q) >> 32), zh);    /* Q92 */
+    s.c = (z >> 1) - (t >> 18);
     return s;
 }
 

@@ -19,11 +19,11 @@ uint32_t ints_rsqrt(uint32_t x) {
     /* Two Newton steps r (1 + e/2) with e = 1 - x r^2: 2^-7.7, 2^-14.8, 2^-29. They come from below, so r stays
      * below 2 and r^2 below 4. */
     uint32_t r = 256 + (uint32_t)rsqrt_table[(x >> 24) - 64]; /* Q8 */
-    int64_t e = ((int64_t)1 << 48) - (int64_t)((uint64_t)x * (r * r));
-    r = (r << 22) + (uint32_t)(((int32_t)r * (int32_t)(e >> 20)) >> 7); /* Q30; 9 + 22 bits */
-    uint32_t square = (uint32_t)(((uint64_t)r * r) >> 30);              /* Q30 */
-    e = ((int64_t)1 << 62) - (int64_t)((uint64_t)x * square);           /* Q62, below 2^48 */
-    return r + (uint32_t)(((int64_t)r * (int32_t)(e >> 18)) >> 45);     /* 31 + 30 bits */
+    int64_t e = ((int64_t)1 << 48) - (int64_t)wide_mul_u32(x, r * r);
+    r = (r << 22) + (uint32_t)(((int32_t)r * (int32_t)(e >> 20)) >> 7);        /* Q30; 9 + 22 bits */
+    uint32_t square = (uint32_t)(wide_mul_u32(r, r) >> 30);                    /* Q30 */
+    e = ((int64_t)1 << 62) - (int64_t)wide_mul_u32(x, square);                 /* Q62, below 2^48 */
+    return r + (uint32_t)(wide_mul_s32((int32_t)r, (int32_t)(e >> 18)) >> 45); /* 31 + 30 bits */
 }
 
 uint32_t ints_sqrt_u64(uint64_t a) {
@@ -31,13 +31,13 @@ uint32_t ints_sqrt_u64(uint64_t a) {
     int shift = ints_clz64(a) & ~1; /* floor(sqrt(a 4^n)) / 2^n rounds down to floor(sqrt(a)) */
     a <<= shift;
     uint32_t x = (uint32_t)(a >> 32), r = ints_rsqrt(x);
-    uint64_t y = ((uint64_t)x * r) >> 30; /* Q32 within 2^4 */
+    uint64_t y = wide_mul_u32(x, r) >> 30; /* Q32 within 2^4 */
     if (y >> 32) y = UINT32_MAX;
-    int64_t rest = (int64_t)(a - y * y); /* below 2^37 */
-    y += (uint64_t)(((rest >> 7) * r) >> 56);
+    int64_t rest = (int64_t)(a - wide_mul_u32((uint32_t)y, (uint32_t)y)); /* below 2^37 */
+    y += (uint64_t)(wide_mul_s32((int32_t)(rest >> 7), (int32_t)r) >> 56);
     /* now one off at most */
     if (y >> 32) y = UINT32_MAX;
-    rest = (int64_t)(a - y * y);
+    rest = (int64_t)(a - wide_mul_u32((uint32_t)y, (uint32_t)y));
     if (rest < 0)
         y--;
     else if ((uint64_t)rest > 2 * y)

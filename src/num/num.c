@@ -88,14 +88,14 @@ num_t num_sqrt(num_t a) {
     int odd = a.e & 1;
     uint64_t u = (uint64_t)a.m << odd;
     uint32_t x = (uint32_t)(u >> 32), r = ints_rsqrt(x);
-    uint64_t s = ((uint64_t)x * r) >> 31;                /* Q31, good to 2^-28 */
-    int64_t rest = (int64_t)(u - (s * s << 2));          /* Q64: 2^38 at most */
-    s = (s << 32) + (uint64_t)(((rest >> 7) * r) >> 25); /* Q63, good to 2^-56 */
+    uint64_t s = wide_mul_u32(x, r) >> 31;                                            /* Q31, good to 2^-28 */
+    int64_t rest = (int64_t)(u - (wide_mul_u32((uint32_t)s, (uint32_t)s) << 2));      /* Q64: 2^38 at most */
+    s = (s << 32) + (uint64_t)(wide_mul_s32((int32_t)(rest >> 7), (int32_t)r) >> 25); /* Q63, good to 2^-56 */
     /* The second correction, from the exact remainder, is to nearest: exact for squares. */
     wide_u_t square = wide_mul_u64(s, s);
     wide_t left = wide_sub((wide_t){(int64_t)(u >> 2), u << 62}, (wide_t){(int64_t)square.hi, square.lo});
-    int64_t left42 = (int64_t)wide_sar(left, 42).lo; /* below 2^32 */
-    s += (uint64_t)((left42 * r + ((int64_t)1 << 51)) >> 52);
+    int32_t left42 = (int32_t)wide_sar(left, 42).lo; /* below 2^32 */
+    s += (uint64_t)((wide_mul_s32(left42, (int32_t)r) + ((int64_t)1 << 51)) >> 52);
     s -= s >> 63; /* sqrt(2^64 - 2) is within 2^-32 of a tie */
     return num_fast_make((int64_t)s, (a.e - 62 - odd) / 2);
 }
@@ -103,9 +103,13 @@ num_t num_sqrt(num_t a) {
 num_t num_ipow(num_t a, int32_t n) {
     num_t r = num_from_i64(1);
     if (a.undef) return a;
+    bool first = true;
     for (uint32_t k = n < 0 ? 0u - (uint32_t)n : (uint32_t)n; k != 0; k >>= 1) {
-        if (k & 1) r = num_fast_mul(r, a);
-        if (k > 1) a = num_fast_mul(a, a);
+        if (k & 1) {
+            r = first ? a : num_mul(r, a);
+            first = false;
+        }
+        if (k > 1) a = num_mul(a, a);
     }
     if (n < 0) return r.undef ? num_from_i64(0) : num_div(num_from_i64(1), r);
     return r;

@@ -1,5 +1,6 @@
-/* The one operation of wide.h that is too long to be inline: schoolbook division in base 2^32
- * (Knuth, The Art of Computer Programming, volume 2, algorithm 4.3.1 D). */
+/* The one operation of wide.h that is too long to be inline. Where there is no 128-bit division it goes by
+ * 32-bit words with a reciprocal of the divisor (N. Moller and T. Granlund, "Improved division by invariant
+ * integers", IEEE Trans. Computers 60, 2011, algorithms 3 to 5): the only divisions left are two of 32 bits. */
 #include "num/wide.h"
 
 #ifdef __SIZEOF_INT128__
@@ -12,17 +13,59 @@ uint64_t wide_div_u64(uint64_t hi, uint64_t lo, uint64_t d, uint64_t *rem) {
 
 #else
 
-/* One digit: floor((u * 2^32 + next) / d) for u < d, d >= 2^63; the remainder replaces *u. */
-static uint32_t digit(uint64_t *u, uint32_t next, uint64_t d) {
-    uint32_t dh = (uint32_t)(d >> 32), dl = (uint32_t)d;
-    uint64_t q = *u / dh, r = *u % dh;
-    while (q >> 32 || q * dl > (r << 32 | next)) {
-        q--;
-        r += dh;
-        if (r >> 32) break;
+/* floor((2^64 - 1) / d) - 2^32 for d >= 2^31: schoolbook division of (2^32 - 1 - d, 2^32 - 1) by 16-bit digits
+ * (Knuth, The Art of Computer Programming, volume 2, algorithm 4.3.1 D). */
+static uint32_t reciprocal_word(uint32_t d) {
+    uint32_t dh = d >> 16, dl = d & 0xffff, u = ~d, q = 0;
+    for (int i = 0; i < 2; i++) {
+        uint32_t digit = u / dh, r = u - digit * dh;
+        while (digit >> 16 || digit * dl > (r << 16 | 0xffff)) {
+            digit--;
+            r += dh;
+            if (r >> 16) break;
+        }
+        u = (u << 16 | 0xffff) - digit * d;
+        q = q << 16 | digit;
     }
-    *u = (*u << 32 | next) - q * d;
-    return (uint32_t)q;
+    return q;
+}
+
+/* floor((2^96 - 1) / d) - 2^32 for d >= 2^63. */
+static uint32_t reciprocal(uint64_t d) {
+    uint32_t d1 = (uint32_t)(d >> 32), d0 = (uint32_t)d, v = reciprocal_word(d1), p = d1 * v + d0;
+    if (p < d0) {
+        v--;
+        if (p >= d1) {
+            v--;
+            p -= d1;
+        }
+        p -= d1;
+    }
+    uint64_t t = wide_mul_u32(v, d0);
+    p += (uint32_t)(t >> 32);
+    if (p < (uint32_t)(t >> 32)) {
+        v--;
+        if (((uint64_t)p << 32 | (uint32_t)t) >= d) v--;
+    }
+    return v;
+}
+
+/* One digit: floor((u * 2^32 + next) / d) for u < d; the remainder replaces *u. */
+static uint32_t digit(uint64_t *u, uint32_t next, uint64_t d, uint32_t v) {
+    uint64_t q = wide_mul_u32(v, (uint32_t)(*u >> 32)) + *u;
+    uint32_t q1 = (uint32_t)(q >> 32), r1 = (uint32_t)*u - q1 * (uint32_t)(d >> 32);
+    uint64_t r = ((uint64_t)r1 << 32 | next) - wide_mul_u32((uint32_t)d, q1) - d;
+    q1++;
+    if ((uint32_t)(r >> 32) >= (uint32_t)q) {
+        q1--;
+        r += d;
+    }
+    if (r >= d) {
+        q1++;
+        r -= d;
+    }
+    *u = r;
+    return q1;
 }
 
 uint64_t wide_div_u64(uint64_t hi, uint64_t lo, uint64_t d, uint64_t *rem) {
@@ -33,8 +76,7 @@ uint64_t wide_div_u64(uint64_t hi, uint64_t lo, uint64_t d, uint64_t *rem) {
         u = hi << s | lo >> (64 - s);
         lo <<= s;
     }
-    uint32_t q1 = digit(&u, (uint32_t)(lo >> 32), d);
-    uint32_t q0 = digit(&u, (uint32_t)lo, d);
+    uint32_t v = reciprocal(d), q1 = digit(&u, (uint32_t)(lo >> 32), d, v), q0 = digit(&u, (uint32_t)lo, d, v);
     *rem = u >> s;
     return (uint64_t)q1 << 32 | q0;
 }
