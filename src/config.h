@@ -70,14 +70,14 @@ _Static_assert(CONFIG_DATA_COLUMNS < 64, "data_reader keeps one bit per column i
 #define CONFIG_PLOT_CODE 4096
 #endif
 
-/* Physical lines that may be joined into one by `\` and still be told apart in messages: 2 bytes each. */
+/* Physical lines that may be joined into one by `\` and still be told apart in messages: 2 bytes each, at least 1. */
 #ifndef CONFIG_JOINS
 #define CONFIG_JOINS 32
 #endif
 
-/* Names of files, and prompts of `pause` (bytes). */
+/* Names of files, texts to print, and prompts of `pause` (bytes); held 1 + CONFIG_LOAD_DEPTH times. */
 #ifndef CONFIG_NAME_MAX
-#define CONFIG_NAME_MAX 200
+#define CONFIG_NAME_MAX 1000
 #endif
 
 #endif

@@ -1,34 +1,28 @@
 /* commands.c - which command a line holds; the small ones are carried out here. */
 #include "lang/session_parts.h"
 
-/* print a, "text", b: one line, a blank between values. */
+/* print a, "text", b: one line, a blank between values. Values go out as they are computed, so a line has no limit. */
 static int print_command(session_t *s, lexer_t *lx) {
     const session_port_t *port = s->port;
-    char *out = s->frame_name[0]; /* lent: no data file is open now */
-    text_t t = text_start(out, CONFIG_NAME_MAX + 1);
-    for (bool first = true;; first = false) {
-        char buf[CONFIG_NAME_MAX + 1 > VALUE_TEXT_MAX ? CONFIG_NAME_MAX + 1 : VALUE_TEXT_MAX];
-        size_t n;
+    bool first = true;
+    int err = 0;
+    do {
+        char number[VALUE_TEXT_MAX], *text = number;
         if (lx->tok.kind == TOKEN_STRING) {
-            int err = session_string(s, lx, buf, sizeof buf, "");
-            if (err) return err;
-            n = strlen(buf);
+            text = s->frame_name[0]; /* lent: no data file is open now */
+            err = session_string(s, lx, text, CONFIG_NAME_MAX + 1, "");
         } else {
             value_t v;
-            int err = expr_value(&s->lang, lx, &v, &s->error);
-            if (err) return err;
-            n = value_format(v, buf);
+            err = expr_value(&s->lang, lx, &v, &s->error);
+            if (!err) value_format(v, number);
         }
-        if (n + 2 > t.size - t.len) return session_fail(s, lx, ERR_FULL, "more to print than fits on one line");
-        if (!first) text_add(&t, " ");
-        text_add_bytes(&t, buf, n);
-        if (!lexer_accept(lx, ',')) break;
-    }
-    int err = session_expect_end(s, lx);
-    if (err) return err;
-    text_add(&t, "\n");
-    port->print(port->ctx, out);
-    return 0;
+        if (err) break;
+        if (!first) port->print(port->ctx, " ");
+        port->print(port->ctx, text);
+        first = false;
+    } while (lexer_accept(lx, ','));
+    if (!first) port->print(port->ctx, "\n");
+    return err ? err : session_expect_end(s, lx);
 }
 
 static int pause_command(session_t *s, lexer_t *lx) {

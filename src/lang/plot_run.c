@@ -134,8 +134,10 @@ static int function_range(session_t *s, int k, num_t *lo, num_t *hi) {
 static const num_t *data_limits(const session_t *s, int k, num_t out[2]) {
     const range_t *r = &s->plot.range[k];
     if ((r->auto_lo && r->auto_hi) || !data_extent(s, k, out)) return NULL;
-    if (!r->auto_lo) out[0] = r->lo;
-    if (!r->auto_hi) out[1] = r->hi;
+    /* A border written as 2.0000001 is still inside of [-2:2]. */
+    num_t slack = num_ldexp(num_sub(out[1], out[0]), -20);
+    if (!r->auto_lo) out[0] = num_sub(r->lo, slack);
+    if (!r->auto_hi) out[1] = num_add(r->hi, slack);
     return out;
 }
 
