@@ -143,6 +143,7 @@ const builtin_t BUILTINS[] = {
     {"floor", 1, 1, 0, NULL, fn_floor},
     {"gamma", 1, 1, 0, func_gamma, NULL},
     {"int", 1, 1, 0, NULL, fn_int},
+    {"invnorm", 1, 1, 0, func_invnorm, NULL},
     {"log", 1, 1, 0, func_log, NULL},
     {"log10", 1, 1, 0, func_log10, NULL},
     {"max", 2, 8, BUILTIN_OURS, NULL, fn_max},

@@ -11,7 +11,7 @@ enum builtin_flags {
 };
 
 typedef struct builtin {
-    char name[7];
+    char name[8];
     uint8_t min_args, max_args, flags;
     /* Exactly one of the two: a function of one real number, or of n values, args[0] being replaced by the result.
      * The second returns what arith_binary does. */

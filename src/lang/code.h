@@ -47,6 +47,9 @@ enum code_op {
     OP_BOOL,  /* top becomes 0 or 1 */
     OP_REAL1, /* builtin: a function of one real number */
     OP_FUNC,  /* builtin, count of arguments: any other */
+    OP_FRAME, /* count: makes room for that many values kept; stands first */
+    OP_KEEP,  /* index: keeps top, which stays, as base[index] */
+    OP_LOCAL, /* index: pushes base[index] */
     OP_CALL,  /* symbol, count of arguments: a user's function */
 };
 
@@ -73,6 +76,9 @@ static inline int code_operands(uint8_t op) {
     case OP_INT8:
     case OP_POWI:
     case OP_REAL1:
+    case OP_FRAME:
+    case OP_KEEP:
+    case OP_LOCAL:
         return 1;
     default:
         return 0;

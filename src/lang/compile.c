@@ -10,6 +10,7 @@
 #include "lang/arith.h"
 #include "lang/builtins.h"
 #include "lang/expr.h"
+#include "lang/share.h"
 
 /* Precedences; the open brackets stay below all operators. */
 enum { OPEN = 0, LOOSE = 1, OR = 2, AND = 3, PREFIX = 12, POWER = 13 };
@@ -185,6 +186,21 @@ static bool emit_small_power(compiler_t *c) {
     return true;
 }
 
+/* x*x is x**2: one operand less to fetch. */
+static bool emit_square(compiler_t *c) {
+    if (c->depth < 2 || c->depth > TRACKED || c->len > room(c)) return false;
+    uint16_t left = c->operand[c->depth - 2].start, right = c->operand[c->depth - 1].start;
+    size_t len = c->len - right;
+    const uint8_t *code = c->buf + left;
+    bool name = (len == 1 && code[0] >= OP_ARG && code[0] < OP_VAR) || (len == 2 && code[0] == OP_VAR);
+    if (!name || (size_t)(right - left) != len || memcmp(code, c->buf + right, len) != 0) return false;
+    c->len = right;
+    emit(c, OP_SQUARE);
+    c->depth--;
+    operated(c, 1, false, is_real(c, 0));
+    return true;
+}
+
 static void patch(compiler_t *c, uint16_t at) {
     uint32_t distance = c->len - at - CODE_JUMP_LEN;
     if (c->len > room(c)) return;
@@ -227,6 +243,7 @@ static void reduce_one(compiler_t *c) {
     switch (p.kind) {
     case P_BINARY:
         if (p.a == OP_POW && emit_small_power(c)) break;
+        if (p.a == OP_MUL && emit_square(c)) break;
         if (p.a <= OP_DIV || (p.a >= OP_LT && p.a <= OP_NE)) meet_real(c);
         emit(c, p.a);
         operated(c, 2, true, (p.a <= OP_DIV || p.a == OP_POW) && (is_real(c, 0) || is_real(c, 1)));
@@ -519,9 +536,10 @@ int expr_compile(lang_t *l, lexer_t *lx, const expr_params_t *params, uint8_t *b
         names_release(l, mark);
         return r;
     }
+    uint8_t kept;
     out->code = buf;
-    out->len = (uint16_t)c.len;
-    out->stack = (uint16_t)(count + c.deepest);
+    out->len = share_parts(buf, (uint16_t)c.len, room(&c), (uint8_t)count, &kept);
+    out->stack = (uint16_t)(count + kept + c.deepest);
     out->params = (uint8_t)count;
     out->columns = c.columns;
     return 0;

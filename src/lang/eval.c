@@ -216,6 +216,15 @@ int expr_eval(lang_t *l, const expr_t *e, const num_t *args, value_t *out) {
             if (fault) goto failed;
             pc += 2;
             break;
+        case OP_FRAME:
+            top += *pc++;
+            break;
+        case OP_KEEP:
+            copy(&base[*pc++], top);
+            break;
+        case OP_LOCAL:
+            copy(++top, &base[*pc++]);
+            break;
         case OP_CALL: {
             const symbol_t *s = &l->symbol[pc[0]];
             int code;

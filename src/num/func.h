@@ -24,6 +24,8 @@ num_t func_cosh(num_t a);
 num_t func_tanh(num_t a);
 num_t func_erf(num_t a);
 num_t func_norm(num_t a);  /* the normal distribution's integral */
+/* The inverse of func_norm, 0 < a < 1: norm(invnorm(a)) is within 2^-52 a of a (tests/unit/test_expr.c). */
+num_t func_invnorm(num_t a);
 num_t func_gamma(num_t a); /* undefined at 0, -1, -2, ... */
 num_t func_besj0(num_t a);
 num_t func_besj1(num_t a);

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include "lang/expr.h"
+#include "num/func.h"
 
 static lang_t lang;
 
@@ -511,6 +512,65 @@ static void points_of_a_surface(void **state) {
     assert_int_equal(err.column, 0);
 }
 
+/* The value of an expression at x = 1.25, y = 0.5, and how many bytes its code takes. */
+static void assert_at_point(const char *text, size_t room, const char *expected, int len) {
+    static const expr_params_t xy = {.count = 2, .name = {{"x", 1}, {"y", 1}}};
+    uint8_t code[400];
+    expr_t e;
+    lang_error_t err;
+    value_t v;
+    char buf[VALUE_TEXT_MAX];
+    lexer_t lx = start(text);
+    num_t at[2] = {num_from_fixed(5, 2), num_from_fixed(1, 1)};
+    assert_int_equal(expr_compile(&lang, &lx, &xy, code, room, &e, &err), 0);
+    assert_int_equal(expr_eval(&lang, &e, at, &v), 0);
+    value_format(v, buf);
+    if (strcmp(buf, expected) != 0) fail_msg("%s gives %s, not %s", text, buf, expected);
+    if (len) assert_int_equal(e.len, len);
+}
+
+static void common_parts_are_shared(void **state) {
+    (void)state;
+    /* frame, x x* y y* +, root, kept, sin, the root again, /, end */
+    assert_at_point("sin(sqrt(x*x+y*y))/sqrt(x*x+y*y)", 400, "0.724140807105579", 17);
+    assert_at_point("sin(sqrt(x*x+y*y))/sqrt(x*x+y*y)", 21, "0.724140807105579", 17);
+    assert_at_point("sin(sqrt(x*x+y*y))/sqrt(x*x+y*y)", 20, "0.724140807105579", 18);
+    assert_at_point("x*y + x*y", 400, "1.25", 0);
+    assert_at_point("x*y + x*y", 8, "1.25", 8); /* no room to share */
+    assert_at_point("(x+y)*(x-y)*(x+y)*(x-y)/((x+y)*(x-y))", 400, "1.3125", 0);
+    assert_at_point("exp(x)+exp(x)*exp(-x)+exp(-x)", 400, "4.77684775432203", 0);
+    assert_at_point("sin(x)+cos(x)+tan(x)+exp(x)+sqrt(x)+log(x)+atan(x)+sinh(x)"
+                    "-sin(x)-cos(x)-tan(x)-exp(x)-sqrt(x)-log(x)-atan(x)-sinh(x)",
+                    400, "0.0", 0);
+    /* What may change in between is computed again. */
+    assert_at_point("(x > 1 ? x*y : 0) + (y > 1 ? 0 : x*y)", 400, "1.25", 0);
+    define("a = 1; f(x) = (a = a + x)");
+    assert_at_point("a*2.5 + f(1) + a*2.5", 400, "9.5", 0);
+    assert_at_point("rand(0) == rand(0)", 400, "0", 0);
+    assert_at_point("(a = 7) + a*a*a + (a = 2) + a*a*a", 400, "360", 0);
+    /* A function's own kept values lie between its arguments and its operands. */
+    define("g(u,v) = sqrt(u+v)*sqrt(u+v) + (u-v)*(u-v)*(u-v); h(u) = g(u,1)*g(u,1) + g(g(u,2), u)");
+    assert_print("h(3.0)", "180.0");
+}
+
+static void invnorm_inverts_norm(void **state) {
+    (void)state;
+    assert_print("invnorm(0.3)", "-0.524400512708041");
+    assert_print("invnorm(0.5)", "0.0");
+    assert_print("invnorm(0.975)", "1.95996398454005");
+    assert_error("invnorm(0)", ERR_VALUE, 1, "undefined value");
+    assert_error("invnorm(1)", ERR_VALUE, 1, "undefined value");
+    int32_t worst = -100;
+    for (int i = 1; i < 4000; i++) {
+        num_t p = num_from_fixed(i, 12);
+        if (i % 3 == 0) p = num_ldexp(p, -(i % 700)); /* the far tail too */
+        num_t d = num_sub(func_norm(func_invnorm(p)), p);
+        if (d.m != 0 && d.e - p.e > worst) worst = d.e - p.e;
+    }
+    print_message("# norm(invnorm(p)) - p: below 2^%d p\n", worst + 1);
+    assert_true(worst < -52);
+}
+
 static value_t third_times(void *ctx, int32_t n) {
     return n > 5 ? value_undef() : value_real(num_from_fixed(*(int *)ctx * n, 1));
 }
@@ -616,6 +676,8 @@ int main(void) {
         cmocka_unit_test_setup(redefinition_gives_memory_back, setup),
         cmocka_unit_test_setup(capacities_are_ordinary_errors, setup),
         cmocka_unit_test_setup(points_of_a_surface, setup),
+        cmocka_unit_test_setup(common_parts_are_shared, setup),
+        cmocka_unit_test_setup(invnorm_inverts_norm, setup),
         cmocka_unit_test_setup(columns_of_data, setup),
         cmocka_unit_test_setup(random_numbers_are_gnuplots, setup),
         cmocka_unit_test_setup(numbers_for_settings, setup),
