@@ -12,9 +12,10 @@
 #define FLUSH_PART 2
 
 void path_default(path_config_t *c, uint32_t steps_per_mm_q16) {
-    uint64_t lat_q16 = (uint64_t)LAT_PER_MM << 32;
+    uint64_t step_q16 = steps_per_mm_q16 ? ((uint64_t)LAT_PER_MM << 32) / steps_per_mm_q16 : (uint64_t)LAT_PER_MM << 16;
+    uint64_t step = (step_q16 + (1 << 15)) >> 16;
     *c = (path_config_t){.effort = 1000, .effort_max = 1 << 20};
-    c->step_lat = steps_per_mm_q16 ? (int32_t)((lat_q16 / steps_per_mm_q16 + (1 << 15)) >> 16) : LAT_PER_MM;
+    c->step_lat = step < PATH_STEP_MIN ? PATH_STEP_MIN : step > PATH_STEP_MAX ? PATH_STEP_MAX : (int32_t)step;
 }
 
 static int pen_move(void *ctx, page_point_t to) {
@@ -115,7 +116,9 @@ static bool wants_pairs(const path_config_t *c, uint32_t pairs, size_t bytes) {
 }
 
 int path_init(path_t *p, void *mem, size_t bytes, const path_config_t *c, const ink_map_t *map, const pen_sink_t *pen) {
-    if (c->step_lat < 8 || c->lines < 0 || c->effort < 0 || c->effort_max < 0) return ERR_VALUE;
+    if (c->step_lat < PATH_STEP_MIN || c->step_lat > PATH_STEP_MAX || c->lines < 0 || c->effort < 0 ||
+        c->effort_max < 0)
+        return ERR_VALUE;
     if (!mem || bytes < PATH_BYTES_MIN) return ERR_FULL;
     size_t skip = (8 - (uintptr_t)mem % 8) % 8, left = bytes - skip;
     uint32_t pairs = 1;

@@ -62,11 +62,14 @@ typedef struct path {
 #define PATH_BYTES(runs, lines) (JOIN_BYTES(lines) + POOL_BYTES(runs) + 16)
 #define PATH_BYTES_MIN PATH_BYTES(POOL_RUNS_MIN, 1)
 
-/* Defaults for a machine of so many steps per mm (q16 as in machine_t; the coarser axis). */
+#define PATH_STEP_MIN 8         /* lat; 4,096 steps per mm */
+#define PATH_STEP_MAX (1 << 20) /* lat; a step of 32 mm */
+
+/* Defaults for a machine of so many steps per mm (q16 as in machine_t; the coarser axis), brought into range. */
 void path_default(path_config_t *c, uint32_t steps_per_mm_q16);
 /* Prepares p in mem (any alignment, owned by the caller until path_finish). Open runs have the first claim on it, the
  * the rest is the pool. map and pen must outlive p. Returns 0, ERR_FULL when bytes < PATH_BYTES_MIN, or ERR_VALUE for a
- * step_lat below 8. */
+ * step_lat out of range. */
 int path_init(path_t *p, void *mem, size_t bytes, const path_config_t *c, const ink_map_t *map, const pen_sink_t *pen);
 /* Where a kernel puts its ink; any order, any family, several kernels one after another. Errors: ERR_VALUE for a piece
  * outside run.h's ranges, else what the pen sink returned. */

@@ -240,6 +240,19 @@ static void errors_of_the_pen_stop_everything(void **state) {
     }
 }
 
+static void every_machine_has_a_step(void **state) {
+    path_config_t c;
+    (void)state;
+    path_default(&c, 0);
+    assert_int_equal(c.step_lat, LAT_PER_MM);
+    path_default(&c, 1);
+    assert_int_equal(c.step_lat, PATH_STEP_MAX);
+    path_default(&c, UINT32_MAX);
+    assert_int_equal(c.step_lat, PATH_STEP_MIN);
+    path_default(&c, 100 << 16);
+    assert_int_equal(c.step_lat, 328);
+}
+
 static void the_door_is_guarded(void **state) {
     static uint8_t mem[PATH_BYTES_MIN];
     flat_t flat = {UNITS * UNIT, 0};
@@ -251,9 +264,9 @@ static void the_door_is_guarded(void **state) {
     (void)state;
     path_default(&c, 80 << 16);
     assert_int_equal(path_init(&path, mem, sizeof mem - 1, &c, &map, &pen), ERR_FULL);
-    c.step_lat = 7;
+    c.step_lat = PATH_STEP_MIN - 1;
     assert_int_equal(path_init(&path, mem, sizeof mem, &c, &map, &pen), ERR_VALUE);
-    c.step_lat = 8;
+    c.step_lat = PATH_STEP_MIN;
     assert_int_equal(path_init(&path, mem, sizeof mem, &c, &map, &pen), 0);
     ink_sink_t s = path_sink(&path);
     const ink_piece_t bad[] = {
@@ -297,8 +310,11 @@ static void runs_off_the_paper_are_counted(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ink_is_conserved_and_strokes_are_few), cmocka_unit_test(every_pool_draws_everything),
-        cmocka_unit_test(errors_of_the_pen_stop_everything),    cmocka_unit_test(the_door_is_guarded),
+        cmocka_unit_test(ink_is_conserved_and_strokes_are_few),
+        cmocka_unit_test(every_pool_draws_everything),
+        cmocka_unit_test(errors_of_the_pen_stop_everything),
+        cmocka_unit_test(the_door_is_guarded),
+        cmocka_unit_test(every_machine_has_a_step),
         cmocka_unit_test(runs_off_the_paper_are_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
