@@ -5,7 +5,8 @@
 #include "tests/oracle/horizon_ref.h"
 #include "tests/oracle/run_kernel.h"
 
-/* Draws the profiles of r; pieces come as the judge's, family 0. Returns the kernel's result. */
-int run_horizon(const horizon_ref_t *r, drawing_t *d, hidden_stats_t *stats);
+/* Draws the profiles of r, which lie square to the ground direction `away` from the viewer; pieces come as the judge's,
+ * family 0. Returns the kernel's result. */
+int run_horizon(const horizon_ref_t *r, const double away[2], drawing_t *d, hidden_stats_t *stats);
 
 #endif
