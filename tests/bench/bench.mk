@@ -1,0 +1,28 @@
+# `make bench`: our surfaces beside the peers that are installed.
+BENCH := $(BUILDDIR)/bench/bench_surfaces $(BUILDDIR)/bench/cpu_time
+
+$(BUILDDIR)/bench/bench_surfaces: $(BUILDDIR)/obj/tests/bench/bench_surfaces.o $(BUILDDIR)/libcore.a
+	@mkdir -p $(@D)
+	$(call say,LD,$@)
+	$(Q)$(CC) $(LDFLAGS) $^ -lm -o $@
+$(BUILDDIR)/bench/cpu_time: $(BUILDDIR)/obj/tests/bench/cpu_time.o
+	@mkdir -p $(@D)
+	$(call say,LD,$@)
+	$(Q)$(CC) $(LDFLAGS) $^ -o $@
+# A peer that is not installed is not built, and its column stays empty.
+$(BUILDDIR)/bench/plmesh: tests/bench/peers/plmesh.c tests/bench/table1.h
+	@mkdir -p $(@D)
+	$(Q)if pkg-config --exists plplot 2>/dev/null; then \
+	    $(CC) $(CPPFLAGS) $(OPT) $$(pkg-config --cflags plplot) $< $$(pkg-config --libs plplot) -lm -o $@; fi
+
+bench: host $(BENCH) $(BUILDDIR)/bench/plmesh ## ns per facet beside gnuplot hidden3d and PLplot plmesh (SIZES="60 200")
+	$(Q)sh tests/bench/bench.sh $(BUILDDIR)
+
+# The judge of finished drawings as a program: build/tools/judge_seg.
+JUDGE_SRC := $(wildcard tests/oracle/tools/*.c)
+$(BUILDDIR)/tools/judge_seg: $(JUDGE_SRC:%.c=$(BUILDDIR)/obj/%.o) $(BUILDDIR)/liboracle.a
+	@mkdir -p $(@D)
+	$(call say,LD,$@)
+	$(Q)$(CC) $(LDFLAGS) $^ -lgmp -lm -o $@
+judge: $(BUILDDIR)/tools/judge_seg ## build the judge of drawings: build/tools/judge_seg
+.PHONY: judge

@@ -1,0 +1,84 @@
+#!/bin/sh
+# bench.sh BUILDDIR - ns per facet of our kernel and program beside gnuplot hidden3d and PLplot plmesh, in one run.
+# The whole program writes its drawing (.seg); gnuplot's figure is the CPU time of its process less that of an empty plot.
+# Sizes: SIZES="10 60 200" make bench. gnuplot stops at 200, where a plot takes it seconds.
+set -e
+B=$1
+SIZES=${SIZES:-10 20 30 40 50 60 100 200 400 1000 2000}
+out=$B/bench/surfaces.txt
+tmp=$(mktemp -d)
+trap 'rm -rf "$tmp"' EXIT
+: >"$out"
+
+"$B/bench/bench_surfaces" $SIZES >>"$out"
+
+if [ -x "$B/bench/plmesh" ]; then
+    "$B/bench/plmesh" $SIZES >>"$out" 2>/dev/null || echo "# PLplot failed" >&2
+else
+    echo "# PLplot's development files are not installed: its column is empty" >&2
+fi
+
+# Heights that look random and are the same function everywhere.
+noise='a(x,y)=sin(x*12.9898+y*78.233)*43758.5453
+f(x,y)=a(x,y)-floor(a(x,y))'
+scene() { # shape n
+    echo "set isosamples $2,$2; set samples $2,$2; set xrange [-2:2]; set yrange [-2:2]; set hidden3d"
+    case $1 in
+    smooth) echo 'f(x,y)=exp(-x**2-y**2)' ;;
+    random) echo "$noise" ;;
+    esac
+}
+facets_ns() { awk -v t="$1" -v n="$2" 'BEGIN { printf "%.1f", t * 1e9 / ((n - 1) * (n - 1)) }'; }
+
+for shape in smooth random; do
+    for n in $SIZES; do
+        repeat=3
+        [ "$n" -ge 1000 ] && repeat=1
+        if [ -x "$B/host/ridgeline" ]; then
+            { scene $shape "$n"; echo 'set view from 6,8,3'; echo 'splot f(x,y) with lines'; } >"$tmp/whole.gp"
+            t=$("$B/bench/cpu_time" $repeat "$B/host/ridgeline" plot "$tmp/whole.gp" -o "$tmp/whole.seg") &&
+                echo "whole $shape $n $(facets_ns "$t" "$n")" >>"$out"
+        fi
+        if [ "$n" -le 200 ] && command -v gnuplot >/dev/null; then
+            { echo 'set term dumb'; scene $shape "$n"; echo 'splot f(x,y) with lines'; } >"$tmp/full.gp"
+            { echo 'set term dumb'; scene $shape 2; echo 'splot 0 with lines'; } >"$tmp/empty.gp"
+            t=$("$B/bench/cpu_time" $repeat gnuplot "$tmp/full.gp" 2>/dev/null)
+            e=$("$B/bench/cpu_time" 3 gnuplot "$tmp/empty.gp" 2>/dev/null)
+            t=$(awk -v a="$t" -v b="$e" 'BEGIN { d = a - b; print d > 0 ? d : 0 }')
+            echo "gnuplot $shape $n $(facets_ns "$t" "$n")" >>"$out"
+        fi
+    done
+done
+command -v gnuplot >/dev/null || echo "# gnuplot is not installed: its column is empty" >&2
+
+awk -v sizes="$SIZES" '
+    { v[$1, $2, $3] = $4; if ($1 == "kernel") { pieces[$2, $3] = $5; bytes[$2, $3] = $6 } }
+    function cell(who, shape, n) { return (who, shape, n) in v ? sprintf("%.0f", v[who, shape, n]) : "-" }
+    # slope of log(time) against log(facets), sizes of 60 and more, by least squares
+    function growth(who, shape,   i, k, x, y, sx, sy, sxx, sxy) {
+        k = sx = sy = sxx = sxy = 0
+        for (i = 1; i <= count; i++) if (size[i] >= 60 && (who, shape, size[i]) in v && v[who, shape, size[i]] > 0) {
+            x = 2 * log(size[i] - 1); y = x + log(v[who, shape, size[i]])
+            k++; sx += x; sy += y; sxx += x * x; sxy += x * y
+        }
+        return k > 1 ? sprintf("%.2f", (k * sxy - sx * sy) / (k * sxx - sx * sx)) : "-"
+    }
+    END {
+        count = split(sizes, size, " ")
+        split("kernel whole plmesh gnuplot", who, " ")
+        print "Surfaces from (6,8,3), ns of CPU time per facet"
+        printf "%6s |%19s |%19s |%19s |%19s |%17s\n", "", "our kernel alone", "our program + .seg", "PLplot plmesh alone",
+               "gnuplot hidden3d", "our memory (KB)"
+        printf "%6s", "n"
+        for (w = 1; w <= 5; w++) printf w < 5 ? " |%9s %9s" : " |%8s %8s", "smooth", "random"
+        print ""
+        for (i = 1; i <= count; i++) {
+            n = size[i]
+            printf "%6d", n
+            for (w = 1; w <= 4; w++) printf " |%9s %9s", cell(who[w], "smooth", n), cell(who[w], "random", n)
+            printf " |%8.1f %8.1f\n", bytes["smooth", n] / 1024, bytes["random", n] / 1024
+        }
+        printf "growth"
+        for (w = 1; w <= 4; w++) printf " |%9s %9s", growth(who[w], "smooth"), growth(who[w], "random")
+        print " |  exponent of the time over facets, n >= 60"
+    }' "$out"
