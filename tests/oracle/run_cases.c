@@ -25,13 +25,13 @@ bool cases_good(const judge_report_t *r) {
 }
 
 static int draw_and_judge(const scene_t *s, judge_report_t *rep, hidden_stats_t *stats) {
-    drawing_t d = {0};
+    run_drawing_t d = {0};
     int err = run_perimeter(s, &d, stats);
     judge_subject_t what = judge_surface(&s->ref);
     *rep = (judge_report_t){0};
     if (err == 0) err = judge_pieces(&what, &s->view, d.piece, d.n, rep) ? 1 : 0;
     if (err == ERR_EMPTY) err = 0; /* a scene whose every point is a hole: rightly nothing drawn */
-    drawing_free(&d);
+    run_drawing_free(&d);
     return err;
 }
 

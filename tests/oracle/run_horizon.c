@@ -18,7 +18,7 @@ static void point(void *ctx, int32_t k, int32_t v, num_t xyz[3]) {
     xyz[2] = r->gap && r->gap[at] ? num_undef() : run_num(r->point[at].z);
 }
 
-int run_horizon(const horizon_ref_t *r, const double away[2], drawing_t *d, hidden_stats_t *stats) {
+int run_horizon(const horizon_ref_t *r, const double away[2], run_drawing_t *d, hidden_stats_t *stats) {
     horizon_ref_t ref = *r;
     profiles_t p = {.count = r->count, .ctx = &ref, .points = points, .point = point};
     for (int i = 0; i < 2; i++) {

@@ -7,6 +7,6 @@
 
 /* Draws the profiles of r, which lie square to the ground direction `away` from the viewer; pieces come as the judge's,
  * family 0. Returns the kernel's result. */
-int run_horizon(const horizon_ref_t *r, const double away[2], drawing_t *d, hidden_stats_t *stats);
+int run_horizon(const horizon_ref_t *r, const double away[2], run_drawing_t *d, hidden_stats_t *stats);
 
 #endif

@@ -7,9 +7,9 @@
 #include "hidden/perimeter.h"
 #include "scene/grid.h"
 
-void drawing_free(drawing_t *d) {
+void run_drawing_free(run_drawing_t *d) {
     free(d->piece);
-    *d = (drawing_t){0};
+    *d = (run_drawing_t){0};
 }
 
 num_t run_num(double v) {
@@ -27,7 +27,7 @@ camera_t run_camera(const exact_eye_t *eye) {
 }
 
 static int take(void *ctx, const ink_piece_t *p) {
-    drawing_t *d = ctx;
+    run_drawing_t *d = ctx;
     if (d->n == d->cap) {
         d->cap = d->cap ? 2 * d->cap : 256;
         d->piece = realloc(d->piece, d->cap * sizeof *d->piece);
@@ -38,7 +38,7 @@ static int take(void *ctx, const ink_piece_t *p) {
     return 0;
 }
 
-ink_sink_t run_sink(drawing_t *d) {
+ink_sink_t run_sink(run_drawing_t *d) {
     return (ink_sink_t){d, take};
 }
 
@@ -53,7 +53,7 @@ static num_t z_of(void *ctx, int32_t i, int32_t j) {
     return r->hole && r->hole[j * r->nx + i] ? num_undef() : run_num(r->z[j * r->nx + i]);
 }
 
-int run_perimeter(const scene_t *s, drawing_t *d, hidden_stats_t *stats) {
+int run_perimeter(const scene_t *s, run_drawing_t *d, hidden_stats_t *stats) {
     surface_ref_t ref = s->ref;
     surface_t surface = {ref.nx, ref.ny, &ref, x_of, y_of, z_of};
     camera_t cam = run_camera(&ref.eye);

@@ -10,16 +10,16 @@
 typedef struct drawing {
     judge_piece_t *piece;
     size_t n, cap;
-} drawing_t;
+} run_drawing_t;
 
-void drawing_free(drawing_t *d);
+void run_drawing_free(run_drawing_t *d);
 /* v exactly, as long as it is finite. */
 num_t run_num(double v);
 /* The eye as the kernels want it; the matrix, which they do not look at, is left zero. */
 camera_t run_camera(const exact_eye_t *eye);
 /* A sink that collects into d. Families other than rows and columns keep their numbers. */
-ink_sink_t run_sink(drawing_t *d);
+ink_sink_t run_sink(run_drawing_t *d);
 /* Draws s by the perimeter kernel, with plenty of memory. Returns its result. */
-int run_perimeter(const scene_t *s, drawing_t *d, hidden_stats_t *stats);
+int run_perimeter(const scene_t *s, run_drawing_t *d, hidden_stats_t *stats);
 
 #endif

@@ -107,7 +107,7 @@ static void test_random(void **state) {
     if (cases_only_seed(&first)) count = 1;
     for (uint64_t seed = first; seed < first + count && failed < 10; seed++) {
         static profile_scene_t s;
-        drawing_t d = {0};
+        run_drawing_t d = {0};
         hidden_stats_t stats;
         judge_report_t r = {0};
         make(&s, seed, seed % 50 == 7 ? MOST : 14);
@@ -129,7 +129,7 @@ static void test_random(void **state) {
                 r.false_mm, r.falsely.line, r.falsely.from, r.falsely.to, r.end_steps, r.end.line, r.end.from,
                 r.twice_mm);
         }
-        drawing_free(&d);
+        run_drawing_free(&d);
     }
     cases_summary(&c);
     assert_int_equal(failed, 0);

@@ -116,7 +116,7 @@ static void test_laws(void **state) {
         cases_t c = {.name = law_name[law]};
         for (uint64_t seed = 3000000000; seed < 3000000000 + cases_scaled(120) && failed < 5; seed++) {
             scene_t s, t;
-            drawing_t d = {0};
+            run_drawing_t d = {0};
             hidden_stats_t stats;
             judge_report_t rep = {0};
             scene_random(&s, seed, 12, 0);
@@ -142,7 +142,7 @@ static void test_laws(void **state) {
             } else {
                 judge_worst(&c.worst, &rep);
             }
-            drawing_free(&d);
+            run_drawing_free(&d);
             scene_free(&s);
             scene_free(&t);
         }

@@ -15,7 +15,7 @@
 typedef struct drawing {
     judge_piece_t *p;
     size_t n;
-} drawing_t;
+} run_drawing_t;
 
 static int judge(const scene_t *s, const judge_piece_t *p, size_t n, judge_report_t *rep) {
     judge_subject_t what = judge_surface(&s->ref);
@@ -23,8 +23,8 @@ static int judge(const scene_t *s, const judge_piece_t *p, size_t n, judge_repor
 }
 
 /* Everything that is visible, edge by edge. */
-static drawing_t perfect(const surface_ref_t *r) {
-    drawing_t d = {malloc(100000 * sizeof(judge_piece_t)), 0};
+static run_drawing_t perfect(const surface_ref_t *r) {
+    run_drawing_t d = {malloc(100000 * sizeof(judge_piece_t)), 0};
     spans_t h = {0}, e = {0}, v = {0};
     for (int family = 0; family < 2; family++)
         for (int line = 0; line < (family ? r->nx : r->ny); line++)
@@ -47,7 +47,7 @@ static void test_perfect(void **state) {
     for (uint64_t seed = 0; seed < 300; seed++) {
         scene_t s;
         scene_random(&s, seed, 14, seed & 1);
-        drawing_t d = perfect(&s.ref);
+        run_drawing_t d = perfect(&s.ref);
         judge_report_t rep;
         assert_int_equal(judge(&s, d.p, d.n, &rep), 0);
         if (rep.raw_missing_mm > 1e-6 || rep.raw_false_mm > 1e-6 || rep.end_steps > .25 || rep.twice_mm > 0)
@@ -69,7 +69,7 @@ static void test_planted(void **state) {
     for (int i = 0; i < 5; i++) s.ref.z[3 * 5 + i] = 1;
     s.ref.eye = (exact_eye_t){0.125, 1, .25, 0};
     scene_aim(&s);
-    drawing_t d = perfect(&s.ref);
+    run_drawing_t d = perfect(&s.ref);
     judge_report_t good, rep;
     judge(&s, d.p, d.n, &good);
     assert_true(good.missing_mm == 0 && good.false_mm == 0);
@@ -104,7 +104,7 @@ static void test_moved_ends(void **state) {
     uint64_t rng = 3;
     scene_shape(&s, SHAPE_RANDOM, &rng);
     scene_aim(&s);
-    drawing_t d = perfect(&s.ref);
+    run_drawing_t d = perfect(&s.ref);
     for (int steps = 0; steps < 2; steps++) {
         double by = steps ? 4 : .125;
         for (size_t i = 0; i < d.n; i++) {
@@ -134,7 +134,7 @@ static void test_segments(void **state) {
     for (uint64_t seed = 5000; seed < 5060; seed++) {
         scene_t s;
         scene_random(&s, seed, 12, 0);
-        drawing_t d = perfect(&s.ref);
+        run_drawing_t d = perfect(&s.ref);
         judge_subject_t what = judge_surface(&s.ref);
         page_seg_t *seg = malloc((d.n + 1) * sizeof *seg);
         size_t n = 0;
