@@ -26,13 +26,14 @@ void job_free(job_t *job) {
 /* What the hooks need to time the stages: each runs from its own first call to the next stage's. */
 typedef struct watch {
     job_t *job;
-    double begun[PICTURE_DONE + 1];
+    double begun[PICTURE_DONE + 1]; /* [PICTURE_DONE]: when the picture was finished */
 } watch_t;
 
 static void on_progress(void *ctx, enum picture_stage stage, int32_t done, int32_t of) {
-    static const char *const WHAT[] = {"evaluating", "hiding lines", "ordering strokes", ""};
+    static const char *const WHAT[] = {"evaluating", "hiding lines", "ordering strokes"};
     watch_t *w = ctx;
-    if (done == 0) w->begun[stage] = progress_now();
+    if (stage >= PICTURE_DONE) return;
+    if (w->begun[stage] <= 0) w->begun[stage] = progress_now();
     progress_update(&w->job->progress, WHAT[stage], done, of);
 }
 
@@ -63,6 +64,7 @@ static int draw(job_t *job, const plot_t *plot, picture_t *picture, watch_t *w) 
         drawing_clear(&job->drawing);
         memset(w->begun, 0, sizeof w->begun);
         int err = picture_draw(picture, plot, job->lent, job->lent_bytes, &pen, &hooks);
+        w->begun[PICTURE_DONE] = progress_now();
         if (err != ERR_FULL || job->lent_bytes >= JOB_LENT_MAX) return err;
         bytes = job->lent_bytes * 2 < JOB_LENT_MAX ? job->lent_bytes * 2 : JOB_LENT_MAX;
     }
@@ -106,6 +108,13 @@ static bool make_names(const job_t *job, int page, char **name) {
     return true;
 }
 
+/* The pool of runs takes what it is lent; this is what would have been enough. */
+static size_t path_bytes_needed(const picture_t *picture) {
+    const path_stats_t *stats = &picture->stats.path;
+    int64_t cap = picture->path.pool.cap, unused = stats->flushes || stats->runs > cap ? 0 : cap - stats->runs;
+    return stats->bytes - (stats->bytes ? POOL_BYTES(unused) : 0);
+}
+
 static int draw_page(job_t *job, const plot_t *plot, char **name) {
     const settings_t *settings = plot->settings;
     static picture_t picture; /* large, and there is one page at a time */
@@ -137,6 +146,8 @@ static int draw_page(job_t *job, const plot_t *plot, char **name) {
     r.strokes = d->strokes;
     r.length = drawing_measure(d);
     r.lent_bytes = job->lent_bytes;
+    r.data_bytes = job->data_bytes;
+    r.path_bytes = path_bytes_needed(&picture);
     r.machine_error = plotter_estimate(d, &settings->machine, &r.motion);
     if (job->stats) report_json_page(job->stats, &r);
     progress_wipe(&job->progress);

@@ -19,13 +19,14 @@ typedef struct job {
     const char *name; /* of the scene, in the table */
     const char *output[JOB_OUTPUTS_MAX];
     int outputs;
-    bool overwrite; /* every page into the same files instead of a.svg, a-2.svg, ... */
-    FILE *table;    /* rows go here, or NULL */
-    FILE *stats;    /* JSON goes here, or NULL: report_json_begin has been called */
-    FILE *announce; /* says which files were written, or NULL */
+    bool overwrite;    /* every page into the same files instead of a.svg, a-2.svg, ... */
+    FILE *table;       /* rows go here, or NULL */
+    FILE *stats;       /* JSON goes here, or NULL: report_json_begin has been called */
+    FILE *announce;    /* says which files were written, or NULL */
+    size_t data_bytes; /* held for data files while this page is drawn */
     /* Its own: */
     int pages;   /* drawn so far */
-    int trouble; /* first error that is not the input's: a file that cannot be written, no memory */
+    int trouble; /* an error that is not the input's and has been said: a file that cannot be written, no memory */
     progress_t progress;
     drawing_t drawing;
     void *lent;

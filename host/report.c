@@ -15,7 +15,7 @@ static double plotting_s(const report_t *r) {
 /* What the core worked in: what was used of the picture's block, data, and the planner's and queue's. */
 static size_t working_bytes(const report_t *r) {
     const picture_stats_t *p = &r->picture;
-    return p->kernel_bytes + p->path_bytes + p->map_bytes + p->cache_bytes + r->data_bytes + r->motion.memory_bytes;
+    return p->kernel_bytes + r->path_bytes + p->map_bytes + p->cache_bytes + r->data_bytes + r->motion.memory_bytes;
 }
 
 void report_table_head(FILE *f) {
@@ -85,7 +85,7 @@ void report_json_page(FILE *f, const report_t *r) {
     fprintf(f,
             "      \"memory_bytes\": {\"hidden\": %zu, \"path\": %zu, \"map\": %zu, \"heights\": %zu, \"data\": %zu, "
             "\"motion\": %u, \"total\": %zu, \"lent\": %zu},\n",
-            p->kernel_bytes, p->path_bytes, p->map_bytes, p->cache_bytes, r->data_bytes,
+            p->kernel_bytes, r->path_bytes, p->map_bytes, p->cache_bytes, r->data_bytes,
             (unsigned)r->motion.memory_bytes, working_bytes(r), r->lent_bytes);
     fprintf(f,
             "      \"hidden\": {\"edges\": %lld, \"tests\": %lld, \"crossings\": %lld, \"pieces\": %lld, "

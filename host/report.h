@@ -22,6 +22,7 @@ typedef struct report {
     size_t strokes;
     drawing_length_t length;
     double measure_s, hide_s, order_s, write_s; /* wall clock */
+    size_t path_bytes;                          /* needed to join and order the ink */
     size_t data_bytes;                          /* lent for data and used */
     size_t lent_bytes;                          /* lent to the picture */
 } report_t;

@@ -32,6 +32,7 @@ static void port_print(void *ctx, const char *text) {
 
 static void port_warn(void *ctx, const char *text) {
     (void)ctx;
+    if (script.job->trouble) return; /* the job has said it already, and better */
     progress_wipe(&script.job->progress);
     fputs(text, stderr);
 }
@@ -86,6 +87,8 @@ static int port_pause(void *ctx, const char *prompt, int32_t ms) {
 
 static int port_plot(void *ctx, const plot_t *plot) {
     (void)ctx;
+    const session_t *s = &script.session;
+    script.job->data_bytes = (s->pool.low + s->pool_size - s->pool.high) * sizeof(packed_t);
     return job_draw(script.job, plot);
 }
 
