@@ -1,11 +1,11 @@
 # Profiles by the horizon algorithm (Greenspun and Little 1988): each line hides what lies behind it.
 set title "ridgeline"
-set paper a4 portrait margin 20
+set paper 210,240 margin 15
 set xrange [-3:3]
 set yrange [0:10]
 set isosamples 80
-set samples 400
-set view 50,0
+set samples 300
+set view 33,0,1.8,0.34
 set hidden3d horizon
 
 # A number in [0,1) for every n, and from it eight peaks whose place, height and width differ from row to row.

@@ -1,0 +1,173 @@
+#!/bin/sh
+# `ridgeline plot` from outside: files, pages, messages, exit statuses.
+. tests/cli/lib.sh
+
+every_suffix_is_written() {
+    small_scene
+    ridgeline plot small.gp -o a.svg -o a.png -o a.pdf -o a.vcd -o a.seg -o a.hpgl -o a.plt -o a.gcode
+    head -c 5 a.svg | grep -q '<?xml'
+    head -c 4 a.png | grep -q 'PNG'
+    head -c 5 a.pdf | grep -q '%PDF-'
+    grep -q x_step a.vcd
+    head -1 a.seg | grep -q '^# camera '
+    head -1 a.hpgl | grep -q '^IN;SP1;'
+    cmp a.hpgl a.plt
+    expect_text a.gcode G21 G90 'M3 S1000' M5
+}
+
+seg_is_what_the_format_says() {
+    ridgeline plot "$scenes/smooth.gp" -o a.seg
+    awk 'NR == 1 { if (NF != 14 || $1 != "#" || $2 != "camera") exit bad = 1; next }
+         NF != 4 { exit bad = 1 }
+         { for (i = 1; i <= 4; i++) {
+               if ($i !~ /^[0-9]+\.[0-9][0-9][0-9][0-9][0-9][0-9]+$/) exit bad = 1
+               if ($i < 0 || $i > (i % 2 ? 297 : 210)) exit bad = 1 } }
+         END { exit bad || NR < 1000 }' a.seg
+}
+
+runs_are_the_same() {
+    ridgeline plot "$scenes/random.gp" -o a.seg -o a.vcd
+    ridgeline plot "$scenes/random.gp" -o b.seg -o b.vcd
+    cmp a.seg b.seg
+    cmp a.vcd b.vcd
+}
+
+pages_are_numbered() {
+    printf 'set isosamples 8\nsplot x*y\nsplot x+y\nreplot\n' >three.gp
+    ridgeline plot three.gp -o a.svg -o b.seg >out 2>err
+    [ ! -s out ]
+    [ ! -s err ]
+    [ "$(echo a*.svg b*.seg)" = "a-2.svg a-3.svg a.svg b-2.seg b-3.seg b.seg" ]
+    cmp a-2.svg a-3.svg
+}
+
+scene_from_stdin() {
+    printf 'splot x*y\n' | ridgeline plot - -o a.svg
+    [ -s a.svg ]
+}
+
+continued_lines_comments_and_several_commands() {
+    printf '# a comment\nset isosamples 8; f(x) = x**2 # another\nsplot f(x) \\\n  + f(y)\n' | ridgeline plot - -o a.seg
+    printf 'set isosamples 8\nsplot x**2+y**2\n' | ridgeline plot - -o b.seg
+    cmp a.seg b.seg
+}
+
+set_runs_before_the_scene() {
+    small_scene
+    ridgeline plot small.gp --set 'set paper a3' --set='set title "<big>"' -o a.svg
+    expect_text a.svg 'width="420mm" height="297mm"' '<title>&lt;big&gt;</title>'
+}
+
+stats_tell_every_page() {
+    printf 'set isosamples 8\nsplot x*y\nsplot x+y\n' | ridgeline plot - -o a.svg --stats s.json
+    [ "$(grep -c '"page":' s.json)" -eq 2 ]
+    expect_text s.json '"facets": 49' '"files": ["a.svg"]' '"files": ["a-2.svg"]' '"pen_down_mm"' '"plotting_s"' \
+        '"stage_s"' '"memory_bytes"'
+}
+
+a_table_when_asked() {
+    small_scene
+    ridgeline plot small.gp -v >out
+    [ "$(wc -l <out)" -eq 2 ]
+    expect_text out facets plotting 'small '
+}
+
+print_goes_to_stdout() {
+    printf 'print 1+1\nprint 2**0.5\n' | ridgeline plot - >out 2>err
+    grep -qx 2 out
+    grep -q '^1\.4142135' out
+    [ ! -s err ]
+}
+
+data_beside_the_scene_is_found() {
+    ridgeline plot "$scenes/random.gp" -o a.seg
+    [ "$(wc -l <a.seg)" -gt 1000 ]
+}
+
+inline_data() {
+    printf "splot '-' matrix with lines\n1 2 3\n2 1 2\n3 2 1\ne\nprint 7\n" | ridgeline plot - -o a.seg >out
+    grep -qx 7 out
+    [ "$(wc -l <a.seg)" -gt 4 ]
+}
+
+an_error_shows_line_column_and_caret() {
+    printf 'set isosamples 8\nsplot x*y\nsplot x+*y\nprint 7\n' >bad.gp
+    expect_status 2 ridgeline plot bad.gp -o a.svg >out 2>err
+    expect_text err 'splot x+*y' '^' bad.gp
+    grep -qE '(bad\.gp:3:|line 3)' err
+    # The caret stands under the second operator.
+    awk '/splot x\+\*y/ { at = index($0, "+*") + 1 } /\^/ && at { if (index($0, "^") == at) good = 1 } END { exit !good }' err
+    [ -s a.svg ]
+    [ ! -e a-2.svg ]
+    [ ! -s out ]
+}
+
+bad_input_draws_nothing_and_says_2() {
+    for text in 'splot' 'splot x*' 'splt x' 'set xrange [1:' 'splot foo(x)' 'splot nope' "splot 'missing.dat'" 'set zorro 3' 'splot log(-1)' \
+        'splot (((((x' "load 'missing.gp'" "splot '-' matrix"; do
+        printf '%s\n' "$text" >bad.gp
+        expect_status 2 ridgeline plot bad.gp -o a.svg 2>err
+        [ -s err ]
+        [ ! -e a.svg ]
+    done
+    expect_status 2 ridgeline plot missing.gp -o a.svg 2>err
+    expect_text err missing.gp
+}
+
+a_known_but_ignored_option_is_warned_of_once() {
+    printf 'set isosamples 8\nset key left\nset key right\nsplot x*y\n' | ridgeline plot - -o a.svg 2>err
+    [ "$(grep -c key err)" -ge 1 ]
+    [ -s a.svg ]
+}
+
+bad_options_get_a_hint() {
+    small_scene
+    for arguments in '--frobnicate' 'plot' 'plot small.gp --colour' 'plot small.gp -o' 'plot small.gp -o a.doc' 'plot small.gp small.gp' 'frob'; do
+        # shellcheck disable=SC2086
+        expect_status 2 ridgeline $arguments 2>err
+        grep -qE -- '--help|must end in' err
+    done
+    [ "$(ls)" = "$(printf 'err\nsmall.gp')" ]
+}
+
+what_is_not_the_inputs_fault_says_1() {
+    small_scene
+    expect_status 1 ridgeline plot small.gp -o missing/a.svg 2>err
+    expect_text err 'missing/a.svg: No such file'
+    expect_status 1 ridgeline plot small.gp --stats missing/s.json 2>err
+    expect_text err 'missing/s.json'
+}
+
+help_and_version() {
+    ridgeline --help | grep -q 'ridgeline plot SCENE'
+    ridgeline --version | grep -qE '^ridgeline [0-9]+\.[0-9]+'
+}
+
+pause_does_not_wait_without_a_terminal() {
+    printf 'set isosamples 8\nsplot x*y\npause -1 "Return?"\npause 3600\nsplot x\n' | timeout 20 "$RIDGELINE" plot - -o a.svg
+    [ -s a-2.svg ]
+}
+
+hidden_dem_runs_to_its_end() {
+    examples=/usr/share/doc/gnuplot/examples
+    if [ ! -e $examples/hidden.dem ]; then
+        echo "gnuplot-doc is not installed"
+        return 1
+    fi
+    ridgeline plot $examples/hidden.dem -o a.svg </dev/null
+    [ "$(ls a*.svg | wc -l)" -eq 7 ]
+    (cd $examples && ridgeline plot hidden.dem -o "$OLDPWD/b.seg" </dev/null)
+    for page in '' -2 -3 -4 -5 -6 -7; do [ "$(wc -l <"b$page.seg")" -gt 100 ]; done
+}
+
+no_progress_off_a_terminal() {
+    ridgeline plot "$scenes/smooth.gp" --set 'set isosamples 700' -o a.seg 2>err
+    [ ! -s err ]
+}
+
+run_tests every_suffix_is_written seg_is_what_the_format_says runs_are_the_same pages_are_numbered scene_from_stdin \
+    continued_lines_comments_and_several_commands set_runs_before_the_scene stats_tell_every_page a_table_when_asked \
+    print_goes_to_stdout data_beside_the_scene_is_found inline_data an_error_shows_line_column_and_caret \
+    bad_input_draws_nothing_and_says_2 a_known_but_ignored_option_is_warned_of_once bad_options_get_a_hint \
+    what_is_not_the_inputs_fault_says_1 help_and_version pause_does_not_wait_without_a_terminal \
+    hidden_dem_runs_to_its_end no_progress_off_a_terminal
