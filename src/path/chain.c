@@ -59,10 +59,17 @@ int chain_free_ends(const chain_t *c, page_point_t p, int32_t *out, int max) {
     int n = 0;
     for (int32_t y = y0; y <= y1; y++) {
         for (int32_t x = x0; x <= x1; x++) {
-            int left = SCAN_MAX;
-            for (int32_t e = c->head[bucket(c, x, y)]; e >= 0 && left > 0; e = c->next[e], left--) {
+            int32_t *link = &c->head[bucket(c, x, y)];
+            for (int left = SCAN_MAX; *link >= 0 && left > 0; left--) {
+                int32_t e = *link;
+                if (c->pool->mate[e] >=
+                    0) { /* no longer free: forgotten, or crowds would be searched again and again */
+                    *link = c->next[e];
+                    continue;
+                }
                 bool here = c->point[e].x_lat >> c->shift == x && c->point[e].y_lat >> c->shift == y;
-                if (here && c->pool->mate[e] < 0 && is_near(c, c->point[e], p) && n < max) out[n++] = e;
+                if (here && is_near(c, c->point[e], p) && n < max) out[n++] = e;
+                link = &c->next[e];
             }
         }
     }

@@ -29,7 +29,8 @@ void chain_pair(chain_t *c);
  * marked are closed strokes. Returns the number of open strokes. */
 int32_t chain_close(chain_t *c);
 
-/* Free ends within near_lat of p: up to max of them into out. Returns how many. */
+/* Free ends within near_lat of p: up to max of them into out. Returns how many. Ends met on the way that are no longer
+ * free are forgotten. */
 int chain_free_ends(const chain_t *c, page_point_t p, int32_t *out, int max);
 /* Enters the end e, at p, for chain_free_ends to find. */
 void chain_enter(chain_t *c, int32_t e, page_point_t p);

@@ -308,6 +308,38 @@ static void runs_off_the_paper_are_counted(void **state) {
     drawn_free(&d);
 }
 
+/* All lines between the same two places, as a fan seen edge-on would have them. */
+static bool crowd_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t_q30, page_point_t *out) {
+    (void)ctx, (void)family, (void)surface, (void)line;
+    *out = (page_point_t){1000 + (int32_t)(t_q30 >> 10), 1000};
+    return true;
+}
+
+static void a_crowd_of_ends_is_paired_all_the_same(void **state) {
+    enum { RUNS = 20000 };
+    size_t bytes = PATH_BYTES(RUNS, 1);
+    void *mem = malloc(bytes);
+    const ink_map_t map = {NULL, crowd_point};
+    drawn_t d = {0};
+    const pen_sink_t pen = drawn_sink(&d);
+    path_config_t c;
+    path_stats_t stats;
+    path_t path;
+    (void)state;
+    path_default(&c, 80 << 16);
+    assert_int_equal(path_init(&path, mem, bytes, &c, &map, &pen), 0);
+    ink_sink_t s = path_sink(&path);
+    for (int i = 0; i < RUNS; i++) {
+        ink_piece_t p = {INK_PROFILE, 0, i, 0, INK_ONE};
+        assert_int_equal(s.piece(s.ctx, &p), 0);
+    }
+    assert_int_equal(path_finish(&path, &stats), 0);
+    assert_int_equal(stats.draws, RUNS); /* each of them turns back */
+    assert_true(stats.strokes < RUNS / 20);
+    drawn_free(&d);
+    free(mem);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ink_is_conserved_and_strokes_are_few),
@@ -315,6 +347,7 @@ int main(void) {
         cmocka_unit_test(errors_of_the_pen_stop_everything),
         cmocka_unit_test(the_door_is_guarded),
         cmocka_unit_test(every_machine_has_a_step),
+        cmocka_unit_test(a_crowd_of_ends_is_paired_all_the_same),
         cmocka_unit_test(runs_off_the_paper_are_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
