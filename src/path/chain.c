@@ -23,6 +23,17 @@ void chain_enter(chain_t *c, int32_t e, page_point_t p) {
     c->head[b] = e;
 }
 
+static void forget_all(chain_t *c) {
+    for (uint32_t b = 0; b <= c->mask; b++) c->head[b] = -1;
+}
+
+void chain_enter_free(chain_t *c) {
+    forget_all(c);
+    for (int32_t e = 0; e < 2 * c->pool->n; e++) {
+        if (c->pool->mate[e] < 0) chain_enter(c, e, c->point[e]);
+    }
+}
+
 int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near_lat) {
     int32_t lost = 0, ends = 2 * (pool->cap + 1);
     *c = (chain_t){.pool = pool, .map = map, .near_lat = near_lat};
@@ -31,7 +42,7 @@ int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near
     c->head = c->next + ends;
     while (near_lat << CELL_BITS > 1 << c->shift) c->shift++;
     while ((int64_t)2 * c->mask + 2 <= 2 * (int64_t)pool->n) c->mask = 2 * c->mask + 1;
-    for (uint32_t b = 0; b <= c->mask; b++) c->head[b] = -1;
+    forget_all(c);
     for (int32_t r = 0; r < pool->n; r++) {
         page_point_t from, to;
         while (r < pool->n && !(pool_end_point(pool, map, 2 * r, &from) && pool_end_point(pool, map, 2 * r + 1, &to))) {

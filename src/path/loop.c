@@ -41,8 +41,18 @@ static void set_far_ends(pool_t *p, int32_t e, int32_t f) {
 }
 
 /* Opens the stroke between the end e and the end it continues into. */
-static void cut_at_end(pool_t *p, int32_t e) {
-    set_far_ends(p, e, p->mate[e]);
+static void cut_at_end(chain_t *c, int32_t e) {
+    int32_t f = c->pool->mate[e];
+    set_far_ends(c->pool, e, f);
+    chain_enter(c, e, c->point[e]);
+    chain_enter(c, f, c->point[f]);
+}
+
+static bool is_there_any(const pool_t *p) {
+    for (int32_t r = 0; r < p->n; r++) {
+        if (!(p->run[r].to_hi & RUN_SEEN)) return true;
+    }
+    return false;
 }
 
 /* Cuts the run in two at t and opens the stroke there. The first part keeps the number. Returns the free end of the
@@ -65,6 +75,8 @@ static int32_t cut_run(chain_t *c, int32_t r, int64_t t_q30, page_point_t at) {
 int32_t loop_open(chain_t *c) {
     pool_t *p = c->pool;
     int32_t alone = 0, runs = p->n;
+    if (!is_there_any(p)) return 0;
+    chain_enter_free(c);
     for (int32_t r = 0; r < runs; r++) {
         meeting_t m;
         int32_t e;
@@ -73,13 +85,13 @@ int32_t loop_open(chain_t *c) {
         int32_t k = m.start >> 1;
         bool at_end = found && (m.t_q30 == pool_end_t(p, 2 * k) || m.t_q30 == pool_end_t(p, 2 * k + 1));
         if (!found || (!at_end && p->n == p->cap)) {
-            cut_at_end(p, 2 * r);
+            cut_at_end(c, 2 * r);
             alone++;
             continue;
         }
         if (at_end) {
             e = 2 * k + (m.t_q30 == pool_end_t(p, 2 * k + 1));
-            cut_at_end(p, e);
+            cut_at_end(c, e);
         } else {
             e = cut_run(c, k, m.t_q30, m.at);
         }
