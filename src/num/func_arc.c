@@ -27,7 +27,7 @@ static uint64_t atan_correction(int64_t u) {
     return wide_mulhi_u64(z, 0x5555555555555555u) - (t >> 18);
 }
 
-/* atan(y/x) for 0 < y <= x, in *fixed as Q61 when it is added to something, and as a number. */
+/* atan(y/x) for 0 < y <= x. */
 static num_t first_octant(num_t y, num_t x) {
     int32_t d = x.e - y.e; /* at least 0 */
     uint64_t xm = (uint64_t)x.m, ym = d < 64 ? (uint64_t)y.m >> d : 0;
