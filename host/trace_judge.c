@@ -129,21 +129,29 @@ static bool pen_down(pen_reader_t *p, double time_s) {
     return p->down;
 }
 
+/* Time of the next step of either motor; infinity after the last. */
+static double next_knot(const trace_knots_t knots[2], const size_t cursor[2]) {
+    double next = INFINITY;
+    for (int k = 0; k < 2; k++)
+        if (cursor[k] < knots[k].count) next = fmin(next, knots[k].time_s[cursor[k]]);
+    return next;
+}
+
 static void judge_motion(const trace_t *t, const machine_t *m, trace_judgement_t *out, const trace_knots_t knots[2]) {
-    if (t->count == 0) return;
-    double start = (double)t->events[0].time_ps * 1e-12, end = (double)t->end_ps * 1e-12;
-    double stride = TRACE_WINDOW_S / STRIDES;
+    const double stride = TRACE_WINDOW_S / STRIDES;
     double history[2 * STRIDES + 1][2] = {{0}};
     size_t cursor[2] = {0, 0};
     pen_reader_t pen = {.t = t, .down = t->initial & HAL_PEN};
-    size_t samples = (size_t)((end - start + 2 * TRACE_WINDOW_S) / stride) + 1;
-    for (size_t i = 0; i < samples; i++) {
-        double time = start + (double)i * stride, motor[2];
+    double time = -INFINITY;
+    for (;;) {
+        double next = next_knot(knots, cursor), motor[2];
+        bool jump = next > time + 4 * TRACE_WINDOW_S; /* a pause, however long, is the same as a short one */
+        if (jump && isinf(next)) return;
+        time = jump ? next - 2 * TRACE_WINDOW_S : time + stride;
         for (int k = 0; k < 2; k++) motor[k] = trace_knots_at(&knots[k], &cursor[k], time);
-        for (int h = 0; h < 2 * STRIDES; h++) history[h][0] = history[h + 1][0], history[h][1] = history[h + 1][1];
-        trace_path_page(m, motor, history[2 * STRIDES]);
-        if (i == 0)
-            for (int h = 0; h < 2 * STRIDES; h++) trace_path_page(m, motor, history[h]);
+        for (int h = 0; h < 2 * STRIDES; h++)
+            for (int k = 0; k < 2; k++) history[h][k] = history[h + 1][k];
+        for (int h = jump ? 0 : 2 * STRIDES; h <= 2 * STRIDES; h++) trace_path_page(m, motor, history[h]);
         const double *p0 = history[0], *p1 = history[STRIDES], *p2 = history[2 * STRIDES];
         const double *a = history[STRIDES / 2], *b = history[STRIDES / 2 + STRIDES];
         double speed = hypot(b[0] - a[0], b[1] - a[1]) / TRACE_WINDOW_S;
