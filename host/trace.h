@@ -97,7 +97,7 @@ void trace_print_difference(const trace_t *a, const trace_t *b, const trace_diff
 
 /* The ink of a trace, as strokes in page coordinates: every point lies within TRACE_INK_STEPS steps of where the
  * steps put the pen, and points that a straight line explains are left out. Returns 0 or the sink's error. */
-#define TRACE_INK_STEPS 0.75
+#define TRACE_INK_STEPS 1.0
 int trace_ink(const trace_t *t, const machine_t *m, pen_sink_t sink);
 /* Writes the ink to a file whose suffix says the format (host/writer.h); the paper is the box around it, and A4 at
  * least. Returns 0, ERR_FILE, ERR_VALUE (unknown suffix). */
