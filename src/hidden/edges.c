@@ -40,16 +40,28 @@ static int take_part(void *ctx, envelope_part_t part) {
     return runs_add(&e->runs, k->run, k->family, k->line, k->cell * INK_ONE + from, k->cell * INK_ONE + to);
 }
 
-/* Takes the part [s0, s1] of the edge without asking the horizons. */
+/* Takes the part [s0, s1] of the edge without asking what is in front of it. */
 static int take_unseen(edges_t *e, int32_t s0, int32_t s1) {
     e->edge.start_q30 = s0;
     e->edge.way_q30 = s1 - s0;
-    return take_part(e, (envelope_part_t){.to_q30 = ONE_Q30});
+    return e->outline_only ? 0 : take_part(e, (envelope_part_t){.to_q30 = ONE_Q30});
 }
 
-int edges_init(edges_t *e, const ink_sink_t *sink, pencil_t *pool, size_t count) {
+/* Clips a line of the chart, and notes it as a side of the facet at hand. */
+static int clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
+    if (e->chart.kind == CHART_VERTICAL) return take_unseen(e, 0, ONE_Q30);
+    if (!e->gaps) return horizons_clip(&e->horizons, p0, p1);
+    if (p0.a != p1.a && e->lines < BANDS_LINES) {
+        e->outline[e->lines++] = p0.a < p1.a ? (bands_line_t){p0, p1} : (bands_line_t){p1, p0};
+    }
+    return e->outline_only ? 0 : bands_clip(&e->bands, p0, p1);
+}
+
+int edges_init(edges_t *e, const ink_sink_t *sink, bool gaps, pencil_t *pool, size_t count) {
     e->runs = (runs_t){.sink = sink};
     e->clipped = 0;
+    e->gaps = gaps;
+    if (gaps) return bands_init(&e->bands, (int32_t *)(void *)pool, 2 * count, take_part, e);
     return horizons_init(&e->horizons, e->chart.seen >= 0, e->chart.seen <= 0, pool, count, take_part, e);
 }
 
@@ -114,7 +126,7 @@ static int clip_in_sector(edges_t *e, place_t a, place_t b, int32_t s0, int32_t 
         k->way_q30 = t1 - t0;
         k->g0 = size32(sector & 1 ? b.x : b.y);
         k->g1 = size32(sector & 1 ? a.x : a.y);
-        err = horizons_clip(&e->horizons, at0, at1);
+        err = clip_line(e, at0, at1);
     }
     if (err == 0 && shown && t1 < s1) err = take_unseen(e, t1, s1);
     return err;
@@ -147,7 +159,7 @@ static int clip_around(edges_t *e, place_t p, place_t q) {
 }
 
 static bool is_vertical(pencil_t p0, pencil_t p1) {
-    return p1.a - p0.a <= HORIZONS_VERTICAL && p0.a - p1.a <= HORIZONS_VERTICAL;
+    return p1.a - p0.a <= ENVELOPE_VERTICAL && p0.a - p1.a <= ENVELOPE_VERTICAL;
 }
 
 bool edges_row_is_vertical(const edges_t *e, const chart_line_t *line, int32_t i) {
@@ -165,7 +177,7 @@ int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run) {
     const chart_column_t *c = e->chart.column;
     e->edge =
         (edges_edge_t){.family = INK_ROW, .line = line->j, .cell = i, .run = run, .g0 = 1, .g1 = 1, .way_q30 = ONE_Q30};
-    e->clipped++;
+    e->clipped += !e->outline_only;
     if (e->chart.kind == CHART_EAST) {
         e->edge.g0 = c[i].r;
         e->edge.g1 = c[i + 1].r;
@@ -179,7 +191,7 @@ int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run) {
             e->edge.g1 = size32(c[i].p);
         }
     }
-    return horizons_clip(&e->horizons, p0, p1);
+    return clip_line(e, p0, p1);
 }
 
 int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i, run_t *run) {
@@ -187,7 +199,7 @@ int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next,
     const chart_column_t *c = e->chart.column;
     e->edge =
         (edges_edge_t){.family = INK_COL, .line = i, .cell = line->j, .run = run, .g0 = 1, .g1 = 1, .way_q30 = ONE_Q30};
-    e->clipped++;
+    e->clipped += !e->outline_only;
     if (e->chart.kind == CHART_NORTH) {
         e->edge.g0 = line->r;
         e->edge.g1 = next->r;
@@ -200,5 +212,5 @@ int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next,
             e->edge.g1 = size32(line->dy);
         }
     }
-    return horizons_clip(&e->horizons, p0, p1);
+    return clip_line(e, p0, p1);
 }

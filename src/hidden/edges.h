@@ -4,6 +4,7 @@
 #ifndef EDGES_H
 #define EDGES_H
 
+#include "hidden/bands.h"
 #include "hidden/horizons.h"
 #include "hidden/runs.h"
 #include "view/chart.h"
@@ -20,13 +21,19 @@ typedef struct edges_edge {
 typedef struct edges {
     chart_t chart;
     horizons_t horizons;
+    /* A surface with holes has bands instead of horizons. They want whole facets: the lines of the one at hand. */
+    bool gaps;
+    bands_t bands;
+    bands_line_t outline[BANDS_LINES];
+    int32_t lines;
+    bool outline_only; /* the edge has been clipped before */
     int64_t clipped;
     runs_t runs;
     edges_edge_t edge;
 } edges_t;
 
-/* Prepares the horizons in pool[0..count), after the chart. Returns 0 or ERR_FULL. */
-int edges_init(edges_t *e, const ink_sink_t *sink, pencil_t *pool, size_t count);
+/* Prepares the horizons (gaps: the bands) in pool[0..count), after the chart. Returns 0 or ERR_FULL. */
+int edges_init(edges_t *e, const ink_sink_t *sink, bool gaps, pencil_t *pool, size_t count);
 
 /* Clips the edge from (i, line) one column (INK_ROW) or one row (INK_COL, next is row line + 1) further, and adds
  * what is visible to run. Returns 0, ERR_FULL or the sink's error. */

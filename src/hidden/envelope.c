@@ -104,7 +104,7 @@ static int32_t ordinate(pencil_t p, pencil_t q, int32_t a) {
 }
 
 /* Where x lies on the edge p-q, measured along its longer side. */
-static int32_t fraction_at(pencil_t p, pencil_t q, pencil_t x) {
+int32_t envelope_fraction_at(pencil_t p, pencil_t q, pencil_t x) {
     int32_t run = q.a - p.a, rise = q.w - p.w;
     int32_t whole = run, part = x.a - p.a;
     if (abs32(rise) > run) {
@@ -118,7 +118,7 @@ static int32_t fraction_at(pencil_t p, pencil_t q, pencil_t x) {
 
 /* The crossing of the edge p-q with the piece v-w, rounded, inside both ranges of a. If the signs that called for
  * it differ only by the dead zone there is none: the edge then emerges at v, or goes under at w, itself. */
-static pencil_t crossing(pencil_t p, pencil_t q, pencil_t v, pencil_t w, bool emerges, envelope_count_t *count) {
+pencil_t envelope_crossing(pencil_t p, pencil_t q, pencil_t v, pencil_t w, bool emerges, envelope_count_t *count) {
     int64_t ov = envelope_orient(p, q, v), ow = envelope_orient(p, q, w);
     uint64_t nv = ov < 0 ? 0 - (uint64_t)ov : (uint64_t)ov, nw = ow < 0 ? 0 - (uint64_t)ow : (uint64_t)ow;
     int32_t t = 0;
@@ -172,8 +172,8 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
         bool above = last ? envelope_above(v, w, q, count) : envelope_below(p, q, w, count);
         if (above != c.visible) {
             if ((err = room(h)) != 0) return err;
-            pencil_t x = crossing(p, q, v, w, !c.visible, count);
-            int32_t at = fraction_at(p, q, x);
+            pencil_t x = envelope_crossing(p, q, v, w, !c.visible, count);
+            int32_t at = envelope_fraction_at(p, q, x);
             if (c.visible) {
                 if (last && x.a == q.a) at = ONE_Q30;
                 if ((err = finish(&c, at, take, ctx)) != 0) return err;
@@ -199,12 +199,12 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
             above = envelope_below(p, q, far, count);
             const bool floor = far.w == ENVELOPE_FLOOR;
             if (above && c.visible && floor != c.first) { /* onto the floor or off it */
-                int32_t at = fraction_at(p, q, (pencil_t){w.a, ordinate(p, q, w.a)});
+                int32_t at = envelope_fraction_at(p, q, (pencil_t){w.a, ordinate(p, q, w.a)});
                 if ((err = finish(&c, at, take, ctx)) != 0) return err;
                 begin(&c, at);
             } else if (above != c.visible) {
                 pencil_t x = {w.a, ordinate(p, q, w.a)};
-                int32_t at = fraction_at(p, q, x);
+                int32_t at = envelope_fraction_at(p, q, x);
                 push(h, x.a, x.w);
                 if (c.visible) {
                     if ((err = finish(&c, at, take, ctx)) != 0) return err;

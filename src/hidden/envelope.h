@@ -24,7 +24,8 @@
 
 #define ENVELOPE_LIMIT ((INT32_C(1) << 30) - 1) /* beyond PENCIL_LIMIT by more than the noise */
 #define ENVELOPE_FLOOR (-ENVELOPE_LIMIT)
-#define ENVELOPE_NOISE 4 /* two lines through vertices that are a unit off each, and a crossing on each */
+#define ENVELOPE_VERTICAL 2 /* lines no wider are taken to be vertical */
+#define ENVELOPE_NOISE 4    /* two lines through vertices that are a unit off each, and a crossing on each */
 
 /* A horizon: [base, l) ascending, then the gap, then [r, end) ascending. */
 typedef struct envelope {
@@ -58,6 +59,13 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
 
 /* The height of h at abscissa a: of its limits from left and right, and of all between a_lo and a_hi, the highest. */
 int32_t envelope_height(envelope_t *h, int32_t a_lo, int32_t a_hi);
+
+/* Where the edge p-q crosses the line v-w, rounded, p.a <= result.a <= q.a. If the signs that called for it differ only
+ * by the dead zone there is no crossing: the edge then emerges at v, or goes under at w, itself. */
+pencil_t envelope_crossing(pencil_t p, pencil_t q, pencil_t v, pencil_t w, bool emerges, envelope_count_t *count);
+
+/* Where x lies on the edge p-q, measured along its longer side (q30). */
+int32_t envelope_fraction_at(pencil_t p, pencil_t q, pencil_t x);
 
 /* Vertices of h, the two that carry the floor included. */
 static inline int32_t envelope_size(const envelope_t *h) {

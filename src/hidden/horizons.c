@@ -65,7 +65,7 @@ int horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1) {
     h->flip = p1.a < p0.a;
     h->whole = false;
     pencil_t l = h->flip ? p1 : p0, r = h->flip ? p0 : p1;
-    if (r.a - l.a <= HORIZONS_VERTICAL) return clip_vertical(h, l, r);
+    if (r.a - l.a <= ENVELOPE_VERTICAL) return clip_vertical(h, l, r);
     if (h->has_upper) {
         int n = envelope_clip(&h->upper, l, r, take_upper, h, &h->count);
         if (n < 0) return n;

@@ -19,10 +19,9 @@ typedef struct horizons {
 /* Empty horizons in pool[0..count). Returns 0 or ERR_FULL. */
 int horizons_init(horizons_t *h, bool upper, bool lower, pencil_t *pool, size_t count, envelope_take_t take, void *ctx);
 
-/* Clips the line p0-p1 and raises the horizons. Lines no wider than HORIZONS_VERTICAL units are taken to be vertical:
+/* Clips the line p0-p1 and raises the horizons. Lines no wider than ENVELOPE_VERTICAL units are vertical:
  * they are clipped at their abscissa, and raise nothing, since their ends belong to other lines. Returns 0, ERR_FULL,
  * or take's error. */
-#define HORIZONS_VERTICAL 2
 int horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1);
 
 #endif

@@ -9,13 +9,15 @@
 
 #include "error.h"
 #include "hidden/edges.h"
-#include "hidden/plain.h"
 
 typedef struct sweep {
     edges_t edges;
     chart_line_t line[2]; /* [0] has the smaller j, between two rows of facets one of them is refilled */
     run_t *column_run;    /* one per column */
     run_t row_run[2];     /* of line[0] and line[1] */
+    uint8_t *row_done[2]; /* holes: which edges of line[0] and line[1] have been clipped */
+    uint8_t *column_done; /* holes: which columns' edges between the lines */
+    uint8_t *kept_done;   /* holes: which edges of row j0, for the way down */
     int64_t facets;
 } sweep_t;
 
@@ -38,7 +40,7 @@ static int corner_facet(sweep_t *s, int32_t i, int far, bool rightward) {
     pencil_t n = ln->at[in], b = ln->at[out], c = lf->at[in], f = lf->at[out];
     const bool ascending = rightward != (far == 1);
     bool whole = false;
-    const bool straight = e->chart.kind != CHART_AROUND || edges_in_one_sector(b, c);
+    const bool straight = e->chart.kind < CHART_AROUND || edges_in_one_sector(b, c);
     if (straight && h->has_upper) whole = advance(s, &h->upper, ascending, n, b, c, f);
     if (straight && !whole && h->has_lower)
         whole = advance(s, &h->lower, ascending, mirror(n), mirror(b), mirror(c), mirror(f));
@@ -84,6 +86,37 @@ static int outer_facet(sweep_t *s, int32_t i, int32_t inner, int far, bool fresh
     return err;
 }
 
+/* A facet of a surface with holes: edges that no facet has clipped before, then the facet covers. */
+static int facet_among_holes(sweep_t *s, int32_t i) {
+    edges_t *e = &s->edges;
+    const uint8_t *h0 = s->line[0].hole, *h1 = s->line[1].hole;
+    int err = 0;
+    if (h0[i] || h0[i + 1] || h1[i] || h1[i + 1]) return 0;
+    e->lines = 0;
+    for (int32_t k = i; k <= i + 1 && err == 0; k++) {
+        e->outline_only = s->column_done[k];
+        s->column_done[k] = 1;
+        err = column_edge(s, k);
+    }
+    for (int k = 0; k < 2 && err == 0; k++) {
+        e->outline_only = s->row_done[k][i];
+        s->row_done[k][i] = 1;
+        err = row_edge(s, k, i);
+    }
+    s->facets++;
+    return err != 0 ? err : bands_add(&e->bands, e->outline, e->lines, e->chart.seen);
+}
+
+static int row_among_holes(sweep_t *s) {
+    const chart_t *c = &s->edges.chart;
+    const int32_t nx = c->grid->nx;
+    int err = 0;
+    for (int32_t i = 0; i < nx; i++) s->column_done[i] = 0;
+    for (int32_t i = c->i0; i < nx - 1 && err == 0; i++) err = facet_among_holes(s, i);
+    for (int32_t i = c->i0 - 1; i >= 0 && err == 0; i--) err = facet_among_holes(s, i);
+    return err;
+}
+
 static int flush_rows(sweep_t *s) {
     int err = 0;
     for (int k = 0; k < 2 && err == 0; k++) {
@@ -96,6 +129,10 @@ static int flush_rows(sweep_t *s) {
 static int sweep_row(sweep_t *s, int far, bool fresh) {
     const chart_t *c = &s->edges.chart;
     const int32_t nx = c->grid->nx, i0 = c->i0;
+    if (s->edges.gaps) {
+        int err = row_among_holes(s);
+        return err != 0 ? err : flush_rows(s);
+    }
     int err = outer_facet(s, i0, -1, far, fresh);
     for (int32_t i = i0 + 1; i < nx - 1 && err == 0; i++) {
         err = fresh ? outer_facet(s, i, i, far, true) : corner_facet(s, i, far, true);
@@ -110,9 +147,11 @@ static int sweep_row(sweep_t *s, int far, bool fresh) {
 /* What a column needs besides the chart: two rows of points, an open run. */
 #define COLUMN_BYTES (2 * sizeof(pencil_t) + sizeof(run_t) + sizeof(chart_column_t))
 #define AROUND_COLUMN_BYTES (2 * sizeof(int32_t))
+#define HOLE_COLUMN_BYTES 6 /* flags: two lines' holes and done edges, done columns, row j0's done edges */
 
 size_t perimeter_bytes(int32_t nx, int32_t vertices) {
-    return (size_t)nx * (COLUMN_BYTES + AROUND_COLUMN_BYTES) + (size_t)vertices * sizeof(pencil_t) + 16;
+    return (size_t)nx * (COLUMN_BYTES + AROUND_COLUMN_BYTES + HOLE_COLUMN_BYTES) + (size_t)vertices * sizeof(pencil_t) +
+           16;
 }
 
 /* Lays the working memory out: runs and points per column first, the horizons take the rest. */
@@ -138,28 +177,62 @@ static int lay_out(sweep_t *s, grid_t *g, const camera_t *cam, const hidden_job_
             mem += nx * sizeof(int32_t);
         }
     }
+    if (g->holes > 0) {
+        const size_t flags = (nx * HOLE_COLUMN_BYTES + 7) / 8 * 8;
+        *fixed += flags;
+        if (job->bytes < *fixed) return ERR_FULL;
+        for (int k = 0; k < 2; k++) {
+            s->line[k].hole = mem + (size_t)k * nx;
+            s->row_done[k] = mem + (size_t)(2 + k) * nx;
+        }
+        s->column_done = mem + 4 * nx;
+        s->kept_done = mem + 5 * nx;
+        mem += flags;
+    }
     for (size_t i = 0; i < nx; i++) s->column_run[i] = (run_t){0, 0};
-    return edges_init(e, job->sink, (pencil_t *)(void *)mem, (job->bytes - *fixed) / sizeof(pencil_t));
+    return edges_init(e, job->sink, g->holes > 0, (pencil_t *)(void *)mem, (job->bytes - *fixed) / sizeof(pencil_t));
+}
+
+/* Charts row j into line[k]; none of its edges is done. */
+static void load_line(sweep_t *s, int k, int32_t j) {
+    chart_row(&s->edges.chart, j, &s->line[k]);
+    if (s->edges.gaps) {
+        for (int32_t i = 0; i < s->edges.chart.grid->nx; i++) s->row_done[k][i] = 0;
+    }
+}
+
+/* The eye's row has been swept: its lower line will be needed once more, on the way down. */
+static void keep_done(sweep_t *s) {
+    for (int32_t i = 0; s->edges.gaps && i < s->edges.chart.grid->nx; i++) s->kept_done[i] = s->row_done[0][i];
+}
+
+static void restore_done(sweep_t *s) {
+    for (int32_t i = 0; s->edges.gaps && i < s->edges.chart.grid->nx; i++) s->row_done[0][i] = s->kept_done[i];
 }
 
 /* The sweep proper. line[0] and line[1] always hold rows j and j + 1. */
 static int sweep_all(sweep_t *s, const hidden_job_t *job) {
     chart_t *c = &s->edges.chart;
     const int32_t rows = c->grid->ny - 1;
-    int32_t done = 0;
+    int32_t rows_done = 0;
     int err = 0;
     for (int up = 1; up >= (c->j0 > 0 ? 0 : 1) && err == 0; up--) {
-        chart_row(c, c->j0, &s->line[0]);
-        if (up) chart_row(c, c->j0 + 1, &s->line[1]);
+        load_line(s, 0, c->j0);
+        if (up) load_line(s, 1, c->j0 + 1);
+        if (!up) restore_done(s);
         for (int32_t j = up ? c->j0 : c->j0 - 1; j >= 0 && j < rows && err == 0; j += up ? 1 : -1) {
             if (j != c->j0) { /* the line that is nearer to the eye stays */
                 chart_line_t stays = s->line[up];
                 s->line[up] = s->line[1 - up];
                 s->line[1 - up] = stays;
-                chart_row(c, up ? j + 1 : j, &s->line[up]);
+                uint8_t *done = s->row_done[up];
+                s->row_done[up] = s->row_done[1 - up];
+                s->row_done[1 - up] = done;
+                load_line(s, up, up ? j + 1 : j);
             }
             err = sweep_row(s, up, j == c->j0);
-            if (err == 0 && job->tick != NULL) job->tick(job->tick_ctx, ++done, rows);
+            if (j == c->j0) keep_done(s);
+            if (err == 0 && job->tick != NULL) job->tick(job->tick_ctx, ++rows_done, rows);
         }
     }
     for (int32_t i = 0; i < c->grid->nx && err == 0; i++) {
@@ -175,19 +248,16 @@ int perimeter_draw(grid_t *g, const camera_t *cam, const hidden_job_t *job, hidd
     size_t fixed = 0;
     *stats = (hidden_stats_t){0};
     int err = lay_out(&s, g, cam, job, &fixed);
-    if (err == 0 && e->chart.kind == CHART_VERTICAL) {
-        err = plain_draw(g, INK_ROW, 0, job->sink);
-        return err != 0 ? err : plain_draw(g, INK_COL, 0, job->sink);
-    }
     if (err == 0) err = sweep_all(&s, job);
     stats->facets = s.facets;
     stats->edges = e->clipped;
-    stats->tests = e->horizons.count.tests;
-    stats->crossings = e->horizons.count.crossings;
+    stats->tests = e->horizons.count.tests + e->bands.count.tests;
+    stats->crossings = e->horizons.count.crossings + e->bands.count.crossings;
     stats->pieces = e->runs.pieces;
     stats->evaluated = g->evaluated - before;
     stats->peak_upper = e->horizons.has_upper ? e->horizons.upper.peak : 0;
     stats->peak_lower = e->horizons.has_lower ? e->horizons.lower.peak : 0;
     stats->bytes = fixed + (size_t)(stats->peak_upper + stats->peak_lower) * sizeof(pencil_t);
+    stats->bytes += (size_t)e->bands.peak * sizeof(int32_t);
     return err;
 }

@@ -50,6 +50,7 @@ static void init_parallel(chart_t *c, const num_t x[2], const num_t y[2], const 
     num_t flat = num_sqrt(num_add(num_mul(e[0], e[0]), num_mul(e[1], e[1])));
     if (flat.undef || num_cmp(flat, num_ldexp(num_abs(e[2]), -40)) <= 0) {
         c->kind = CHART_VERTICAL;
+        for (int32_t i = 0; i < c->grid->nx; i++) c->column[i] = (chart_column_t){0};
         return;
     }
     c->x_ref = middle(x[0], x[1]);
