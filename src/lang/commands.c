@@ -66,6 +66,7 @@ static int reset_command(session_t *s, lexer_t *lx) {
     if (session) {
         names_reset(&s->lang);
         s->last[0] = '\0';
+        s->last_len = 0;
     }
     return 0;
 }

@@ -253,16 +253,18 @@ static int go_on(session_t *s) {
         }
         if (err) return err;
     }
-    s->plot.data_valid = true;
+    s->plot.valid = s->plot.sources;
     int err = draw(s);
-    if (!err) s->in_last = false;
-    return err;
+    if (err) return err;
+    s->last_len = strlen(s->last);
+    s->in_last = false;
+    return 0;
 }
 
 static int start(session_t *s, int32_t kept) {
     s->plot.kept = kept;
     s->plot.next = 0;
-    s->plot.data_valid = false;
+    s->plot.valid = kept;
     if (kept == 0) {
         s->pool.low = 0;
         s->pool.high = s->pool_size;
@@ -278,17 +280,18 @@ int plot_command(session_t *s, lexer_t *lx, enum plot_kind kind, const lexer_t *
     size_t len = lx->tok.start - word->tok.start;
     memcpy(s->last, lexer_text(word), len);
     s->last[len] = '\0';
+    s->last_len = len;
     return start(s, 0);
 }
 
 /* replot [, more]: the last command again, with its inline data, and with more elements behind it. */
 int plot_replot(session_t *s, lexer_t *lx) {
-    size_t len = strlen(s->last), more = 0;
+    size_t len = strlen(s->last);
     if (len == 0) return session_fail(s, lx, ERR_EMPTY, "nothing was plotted yet");
     if (!session_at_end(lx)) {
         lexer_t from = *lx;
         session_skip(lx);
-        more = lx->tok.start - from.tok.start;
+        size_t more = lx->tok.start - from.tok.start;
         if (len + 2 + more > CONFIG_LINE_MAX)
             return lang_error_set_number(&s->error, ERR_FULL, lexer_column(&from), "the plot command is too long; most",
                                          CONFIG_LINE_MAX);
@@ -300,14 +303,12 @@ int plot_replot(session_t *s, lexer_t *lx) {
     lexer_start(&again, s->last, strlen(s->last));
     enum plot_kind kind = lexer_is_almost(&again, "sp$lot") ? PLOT_SURFACES : PLOT_CURVES;
     lexer_next(&again);
-    int32_t before = s->plot.data_valid ? s->plot.sources : 0;
+    int32_t before = s->plot.valid;
     s->in_last = true;
     int err = plot_parse(s, &again, kind);
     bool has_inline = false;
     for (int32_t k = 0; !err && k < before; k++) has_inline |= s->plot.source[k].kind == SOURCE_INLINE;
-    if (!err) err = start(s, has_inline ? before : 0);
-    if (err && more) s->last[len] = '\0'; /* what was added is wrong */
-    return err;
+    return err ? err : start(s, has_inline ? before : 0);
 }
 
 int plot_feed(session_t *s, const char *text, size_t n, bool *stopped) {

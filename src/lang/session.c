@@ -160,6 +160,7 @@ static int give_up(session_t *s, int err) {
     }
     while (s->frames > 1) pop(s);
     forget_line(&s->frame[0]);
+    if (s->in_last) s->last[s->last_len] = '\0'; /* what replot added is wrong */
     s->plot.waiting = false;
     s->in_last = false;
     return err;

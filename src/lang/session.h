@@ -103,13 +103,14 @@ typedef struct session {
     char frame_name[CONFIG_LOAD_DEPTH + 1][CONFIG_NAME_MAX + 1]; /* [0] is used for prompts and data files */
     session_chunk_t frame_chunk[CONFIG_LOAD_DEPTH + 1];          /* [0] is used for data files */
     char last[CONFIG_LINE_MAX + 1];                              /* the last plot command, for replot */
+    size_t last_len; /* of it that is known to be right: replot may have added the rest */
     /* The plot command being carried out. */
     struct {
         enum plot_kind kind;
         bool waiting; /* for inline data of source[next] */
         int32_t sources, next;
         int32_t kept;     /* replot: elements whose data are still in the pool */
-        bool data_valid;  /* the data of all elements are in the pool */
+        int32_t valid;    /* elements of the last plot whose data are in the pool */
         int data_error;   /* of an expression in using, or 0 */
         range_t range[3]; /* given in the command, or as set */
         size_t code_len;

@@ -188,6 +188,7 @@ int set_command(session_t *s, lexer_t *lx) {
             return 0;
         } /* fall through */
     case SET_IGNORED:
+    case SET_FUNCTIONS: /* set function style, long gone from gnuplot */
     case SET_PARAMETRIC:
         if (words_set[index].id == SET_PARAMETRIC) s->parametric = true;
         session_warn_once(s, s->warned_set, index, "set ", &word, " is ignored");

@@ -241,6 +241,12 @@ static void inline_data(void **state) {
     assert_int_equal(fixture_feed(f, "replot '-'\n0 0 1\n1 0 2\n\n0 1 3\n1 1 4\ne\nprint 1"), 0);
     assert_int_equal(f->items, 5);
     assert_true(f->z[f->item[4].first + 2] == 3 && f->z[1] == 5);
+    /* What fails in between does not cost the rows. */
+    assert_int_equal(fixture_feed(f, "splot x, y, nobody(x)"), ERR_NAME);
+    assert_int_equal(fixture_feed(f, "replot '-'\n1 x"), ERR_DATA);
+    assert_int_equal(fixture_feed(f, "replot"), 0);
+    assert_int_equal(f->items, 5);
+    assert_true(f->z[f->item[4].first + 2] == 3 && f->z[1] == 5);
     /* An error names the line of the text. */
     session_source(&f->session, "t.gp");
     assert_int_equal(fixture_feed(f, "# first\nsplot '-'\n0 0 1\n0 1 z"), ERR_DATA);
