@@ -103,6 +103,8 @@ size_t picture_bytes(const plot_t *plot) {
         if (plot->kind == PLOT_SURFACES) points += (size_t)item->surface.nx * (size_t)item->surface.ny;
         if (plot->kind == PLOT_CURVES) points += (size_t)item->curve.n;
     }
+    if (plot->settings->hidden == HIDDEN_HORIZON)
+        points += (size_t)plot->settings->samples[0] * (size_t)plot->settings->isosamples[1];
     /* A run a point covers all but the roughest surfaces; a quarter of the rest goes to the kernel. */
     size_t bytes = LEAST + points * (sizeof(int32_t) + PATH_BYTES_PER_RUN) * 3 / 2;
     return bytes > MOST ? MOST : bytes;

@@ -15,6 +15,7 @@
 #include "hidden/hidden.h"
 #include "lang/plot.h"
 #include "path/path.h"
+#include "scene/profiles_cache.h"
 #include "view/cut.h"
 #include "view/flat_map.h"
 #include "view/page_map.h"
@@ -60,6 +61,7 @@ typedef struct picture {
     int32_t spaces;                        /* of them in use */
     profiles_t profiles;
     profiles_sampled_t sampled;
+    profiles_cache_t profiles_cache;
     profile_map_t profile_map;
     flat_axes_t axes;
     flat_curve_t curve[CONFIG_PLOT_ITEMS];

@@ -35,12 +35,22 @@ static int cut_function(picture_t *p) {
     return profiles_from_function(&p->profiles, &p->sampled, &p->camera, s->isosamples[1]);
 }
 
+/* Keeps all points if that takes at most half of what is left. */
+static void cache_points(picture_t *p) {
+    size_t size = PROFILES_CACHE_BYTES(p->profiles.count, p->profiles.max_points);
+    void *mem = size <= arena_left(&p->arena) / 2 ? arena_take(&p->arena, size) : NULL;
+    if (!mem) return;
+    profiles_cache_fill(&p->profiles_cache, &p->profiles, mem);
+    p->stats.cache_bytes += size;
+}
+
 int picture_profiles(picture_t *p, const pen_sink_t *pen) {
     const plot_t *plot = p->plot;
     if (plot->kind != PLOT_SURFACES || plot->n > 1 || !plot->item[0].z_at) return ERR_UNSUPPORTED;
     size_t kernel_bytes;
     void *kernel = picture_kernel_memory(p, &kernel_bytes);
     int err = cut_function(p);
+    if (!err) cache_points(p);
     if (!err) err = profile_map_measure(&p->profile_map, &p->profiles);
     if (!err) err = picture_camera(p, p->profile_map.lo, p->profile_map.hi);
     if (!err) err = profile_map_setup(&p->profile_map, &p->camera);
