@@ -1,8 +1,8 @@
 /* trace_draw.c - the ink of a trace: steps to strokes, straight runs of steps to single lines.
  *
  * A staircase of steps is replaced by lines that pass every pen position within TRACE_INK_STEPS: from the last point
- * kept, each further position narrows the sector of directions that still pass all of them (the sleeve of Reumann and
- * Witkam, with a sector instead of a strip). When it is empty, the position before is kept and the next line begins. */
+ * kept, each further position narrows the sector of directions that still pass all of them. When none is left, the line
+ * ends at the position before, moved sideways into the sector, and the next one begins there. */
 #include "error.h"
 #include "hal/hal.h"
 #include "host/drawing.h"
@@ -18,6 +18,7 @@ typedef struct inker {
     double tolerance;
     double from[2], last[2]; /* last point kept, latest position */
     double lo[2], hi[2];     /* directions that bound the sector: clockwise and counterclockwise end */
+    double reach;            /* greatest distance from there, once narrowed */
     bool narrowed;           /* the sector is smaller than everything */
     int error;
 } inker_t;
@@ -26,11 +27,23 @@ static page_point_t lat(const double p[2]) {
     return (page_point_t){(int32_t)lround(p[0] * LAT_PER_MM), (int32_t)lround(p[1] * LAT_PER_MM)};
 }
 
-static void keep(inker_t *k, const double p[2]) {
-    if (!k->error) k->error = k->sink.draw(k->sink.ctx, lat(p));
-    k->from[0] = p[0];
-    k->from[1] = p[1];
+static double cross(const double a[2], const double b[2]) {
+    return a[0] * b[1] - a[1] * b[0];
+}
+
+/* Ends a line at the point nearest to the latest position in a direction that passes all. */
+static void keep(inker_t *k) {
+    double d[2] = {k->last[0] - k->from[0], k->last[1] - k->from[1]};
+    const double *edge = !k->narrowed ? NULL : cross(k->lo, d) < 0 ? k->lo : cross(d, k->hi) < 0 ? k->hi : NULL;
+    if (edge) {
+        double along = (d[0] * edge[0] + d[1] * edge[1]) / (edge[0] * edge[0] + edge[1] * edge[1]);
+        d[0] = along * edge[0];
+        d[1] = along * edge[1];
+    }
+    k->from[0] += d[0];
+    k->from[1] += d[1];
     k->narrowed = false;
+    if (!k->error) k->error = k->sink.draw(k->sink.ctx, lat(k->from));
 }
 
 static void put_down(inker_t *k, const double p[2]) {
@@ -40,34 +53,31 @@ static void put_down(inker_t *k, const double p[2]) {
     k->narrowed = false;
 }
 
-static double cross(const double a[2], const double b[2]) {
-    return a[0] * b[1] - a[1] * b[0];
-}
-
-/* Narrows the sector to the directions that pass p; false if none is left or p turns back. */
+/* Narrows the sector to the directions that pass p; false, and the sector as it was, if none is left or p turns back.
+ */
 static bool narrow(inker_t *k, const double p[2]) {
     double d[2] = {p[0] - k->from[0], p[1] - k->from[1]};
     double far = hypot(d[0], d[1]);
     if (far <= k->tolerance) return !k->narrowed; /* near the start anything passes, as long as it has not left it */
+    if (k->narrowed && far < k->reach - k->tolerance) return false;
     double s = k->tolerance / far, c = sqrt(1 - s * s);
     double lo[2] = {d[0] * c + d[1] * s, d[1] * c - d[0] * s}, hi[2] = {d[0] * c - d[1] * s, d[1] * c + d[0] * s};
-    if (!k->narrowed) {
-        k->narrowed = true;
-        for (int i = 0; i < 2; i++) k->lo[i] = lo[i], k->hi[i] = hi[i];
-        return true;
+    if (k->narrowed) {
+        if (d[0] * k->lo[0] + d[1] * k->lo[1] < 0) return false;
+        const double *low = cross(k->lo, lo) > 0 ? lo : k->lo, *high = cross(hi, k->hi) > 0 ? hi : k->hi;
+        if (cross(low, high) < 0) return false;
+        lo[0] = low[0], lo[1] = low[1];
+        hi[0] = high[0], hi[1] = high[1];
     }
-    double back[2] = {k->last[0] - k->from[0], k->last[1] - k->from[1]};
-    if (far < hypot(back[0], back[1]) - k->tolerance) return false;
-    /* The line will end at p, so p itself must lie in the sector of those before. */
-    if (cross(k->lo, d) < 0 || cross(d, k->hi) < 0) return false;
-    if (cross(k->lo, lo) > 0) k->lo[0] = lo[0], k->lo[1] = lo[1];
-    if (cross(hi, k->hi) > 0) k->hi[0] = hi[0], k->hi[1] = hi[1];
+    for (int i = 0; i < 2; i++) k->lo[i] = lo[i], k->hi[i] = hi[i];
+    k->reach = k->narrowed ? fmax(k->reach, far) : far;
+    k->narrowed = true;
     return true;
 }
 
 static void go(inker_t *k, const double p[2]) {
     if (!narrow(k, p)) {
-        keep(k, k->last);
+        keep(k);
         narrow(k, p);
     }
     k->last[0] = p[0];
@@ -93,10 +103,10 @@ int trace_ink(const trace_t *t, const machine_t *m, pen_sink_t sink) {
         if (rises & HAL_PEN)
             put_down(&k, page);
         else if (e->changed & HAL_PEN)
-            keep(&k, k.last);
+            keep(&k);
         pins = e->pins;
     }
-    if ((pins & HAL_PEN) && !k.error) keep(&k, k.last);
+    if ((pins & HAL_PEN) && !k.error) keep(&k);
     return k.error;
 }
 
