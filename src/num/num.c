@@ -51,7 +51,7 @@ num_t num_add(num_t a, num_t b) {
 }
 
 num_t num_sub(num_t a, num_t b) {
-    return num_fast_sub(a, b);
+    return num_add(a, num_fast_neg(b));
 }
 
 num_t num_mul(num_t a, num_t b) {

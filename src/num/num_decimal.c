@@ -78,8 +78,11 @@ num_t num_from_decimal(uint64_t mantissa, int32_t exp10) {
 int64_t num_to_decimal(num_t a, int digits, int32_t *exp10) {
     *exp10 = 0;
     if (a.m == 0) return 0;
-    uint64_t limit = 1;
-    for (int i = 0; i < digits; i++) limit *= 10;
+    uint64_t least = 1;
+    for (int i = 1; i < digits; i++) {
+        least *= 10;
+    }
+    const uint64_t limit = 10 * least;
     /* 2^(e+62) <= |a|, so this is the decimal exponent or one less: 78913/2^18 is log10(2) to 1e-6, and its
      * floor is the true one for every exponent we hold. */
     int32_t first = (a.e + 62) * 78913 >> 18;
@@ -90,7 +93,7 @@ int64_t num_to_decimal(num_t a, int digits, int32_t *exp10) {
         if (whole >= limit) continue;
         whole += part >= ((uint64_t)1 << 63) - 16; /* a tie may have come out a little low */
         if (whole == limit) {
-            whole /= 10;
+            whole = least;
             first++;
         }
         *exp10 = first - digits + 1;

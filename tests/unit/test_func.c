@@ -351,6 +351,24 @@ static void named_values(void **state) {
     assert_int_equal(num_sign(func_besj1(num_from_i64(0))), 0);
 }
 
+/* f(-a) is f(a) or -f(a), bit for bit. */
+static void symmetry(void **state) {
+    (void)state;
+    static const unary_t odd[] = {func_sin, func_tan, func_asin, func_atan, func_sinh, func_tanh, func_erf, func_besj1};
+    static const unary_t even[] = {func_cos, func_cosh, func_besj0};
+    for (int i = 0; i < 2000; i++) {
+        num_t a = i % 2 ? uniform(-1, 1) : any_size(-20, 9);
+        for (size_t k = 0; k < sizeof odd / sizeof *odd; k++) {
+            num_t x = odd[k](a), y = num_neg(odd[k](num_neg(a)));
+            assert_true(x.m == y.m && x.e == y.e && x.undef == y.undef);
+        }
+        for (size_t k = 0; k < sizeof even / sizeof *even; k++) {
+            num_t x = even[k](a), y = even[k](num_neg(a));
+            assert_true(x.m == y.m && x.e == y.e && x.undef == y.undef);
+        }
+    }
+}
+
 static void undefined_travels(void **state) {
     (void)state;
     static const unary_t f[] = {func_exp,  func_log,  func_log10, func_sin,   func_cos,  func_tan,
@@ -366,10 +384,9 @@ static void undefined_travels(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(exponentials), cmocka_unit_test(logarithms),
-        cmocka_unit_test(trigonometry), cmocka_unit_test(inverse_trigonometry),
-        cmocka_unit_test(powers),       cmocka_unit_test(special_functions),
-        cmocka_unit_test(named_values), cmocka_unit_test(undefined_travels),
+        cmocka_unit_test(exponentials),         cmocka_unit_test(logarithms), cmocka_unit_test(trigonometry),
+        cmocka_unit_test(inverse_trigonometry), cmocka_unit_test(powers),     cmocka_unit_test(special_functions),
+        cmocka_unit_test(named_values),         cmocka_unit_test(symmetry),   cmocka_unit_test(undefined_travels),
     };
     const char *scale = getenv("RIDGELINE_TEST_SCALE");
     if (scale && atoi(scale) > 0) random_count *= atoi(scale);
