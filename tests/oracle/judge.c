@@ -197,15 +197,19 @@ static bool explained(const line_t *l, long double t, double d) {
     return found;
 }
 
-/* Steps along the line from t to the nearest end of an interval of s. */
+/* Steps along the line from t to the nearest end of an interval of s: the next one before, or the next one after. */
 static double along(const line_t *l, const spans_t *s, long double t) {
-    double best = INFINITY;
+    long double before = -INFINITY, after = INFINITY;
     for (size_t i = 0; i < s->n; i++)
         for (int k = 0; k < 2; k++) {
             long double e = k ? s->s[i].b : s->s[i].a;
-            best = fmin(best, length(l, fminl(e, t), fmaxl(e, t)) / STEP);
+            if (e <= t)
+                before = fmaxl(before, e);
+            else
+                after = fminl(after, e);
         }
-    return best;
+    double d = isfinite(before) ? length(l, before, t) : INFINITY;
+    return fmin(d, isfinite(after) ? length(l, t, after) : INFINITY) / STEP;
 }
 
 static double end_error(const line_t *l, const spans_t *seen, long double t) {
@@ -289,6 +293,7 @@ int judge_pieces(const judge_subject_t *r, const page_view_t *v, const judge_pie
             while (at < n && sorted[at].family == family && sorted[at].line == index && sorted[at].from >= 0 &&
                    sorted[at].to <= edges && sorted[at].from <= sorted[at].to)
                 at++;
+            if (r->every > 0 && (index + family) % r->every != r->every / 2) continue;
             take_pieces(&l, sorted + first, at - first, out);
             judge_line(&l, out);
             spans_free(&l.page);

@@ -18,6 +18,7 @@
 /* What is judged: lines made of edges, and a reference that knows what of an edge is hidden. */
 typedef struct judge_subject {
     const void *ref;
+    int every; /* judge every so-manieth line only, for surfaces too large for the whole; 0: all */
     int (*lines)(const void *ref, int family); /* families 0 and 1 */
     int (*edges)(const void *ref, int family, int line);
     bool (*exists)(const void *ref, int family, int line, int k);

@@ -28,8 +28,14 @@ static void surface_doubled(const void *ref, int family, int line, int k, const 
 }
 
 judge_subject_t judge_surface(const surface_ref_t *r) {
-    return (judge_subject_t){
-        r, surface_lines, surface_edges, surface_exists, surface_ends, surface_look, surface_moved, surface_doubled};
+    return (judge_subject_t){.ref = r,
+                             .lines = surface_lines,
+                             .edges = surface_edges,
+                             .exists = surface_exists,
+                             .ends = surface_ends,
+                             .look = surface_look,
+                             .moved = surface_moved,
+                             .doubled = surface_doubled};
 }
 
 static int profile_lines(const void *ref, int family) {
@@ -68,6 +74,12 @@ static void profile_doubled(const void *ref, int family, int line, int k, const 
 }
 
 judge_subject_t judge_horizon(const horizon_ref_t *r) {
-    return (judge_subject_t){
-        r, profile_lines, profile_edges, profile_exists, profile_ends, profile_look, profile_moved, profile_doubled};
+    return (judge_subject_t){.ref = r,
+                             .lines = profile_lines,
+                             .edges = profile_edges,
+                             .exists = profile_exists,
+                             .ends = profile_ends,
+                             .look = profile_look,
+                             .moved = profile_moved,
+                             .doubled = profile_doubled};
 }

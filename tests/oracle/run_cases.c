@@ -24,10 +24,11 @@ bool cases_good(const judge_report_t *r) {
            r->end_steps <= CASES_END_STEPS;
 }
 
-static int draw_and_judge(const scene_t *s, judge_report_t *rep, hidden_stats_t *stats) {
+static int draw_and_judge(const scene_t *s, int every, judge_report_t *rep, hidden_stats_t *stats) {
     run_drawing_t d = {0};
     int err = run_perimeter(s, &d, stats);
     judge_subject_t what = judge_surface(&s->ref);
+    what.every = every;
     *rep = (judge_report_t){0};
     if (err == 0) err = judge_pieces(&what, &s->view, d.piece, d.n, rep) ? 1 : 0;
     if (err == ERR_EMPTY) err = 0; /* a scene whose every point is a hole: rightly nothing drawn */
@@ -39,7 +40,7 @@ static int fails(void *ctx, const scene_t *s) {
     judge_report_t rep;
     hidden_stats_t stats;
     (void)ctx;
-    return draw_and_judge(s, &rep, &stats) != 0 || !cases_good(&rep);
+    return draw_and_judge(s, 0, &rep, &stats) != 0 || !cases_good(&rep);
 }
 
 static void tell(const char *name, const scene_t *s, int err, const judge_report_t *r) {
@@ -53,7 +54,7 @@ static void tell(const char *name, const scene_t *s, int err, const judge_report
 bool cases_surface(cases_t *c, const scene_t *s, uint64_t seed, bool shrink) {
     judge_report_t rep;
     hidden_stats_t stats;
-    int err = draw_and_judge(s, &rep, &stats);
+    int err = draw_and_judge(s, c->every, &rep, &stats);
     c->run++;
     c->facets += stats.facets;
     judge_worst(&c->worst, &rep);
@@ -66,7 +67,7 @@ bool cases_surface(cases_t *c, const scene_t *s, uint64_t seed, bool shrink) {
         scene_copy(s, &small);
         scene_shrink(&small, fails, NULL);
         scene_print(&small);
-        err = draw_and_judge(&small, &rep, &stats);
+        err = draw_and_judge(&small, 0, &rep, &stats);
         tell("shrunk", &small, err, &rep);
         scene_free(&small);
     }

@@ -14,6 +14,7 @@
 
 typedef struct cases {
     const char *name;
+    int every; /* judge every so-manieth line only; 0: all */
     judge_report_t worst;
     int64_t run, facets;
 } cases_t;

@@ -160,6 +160,19 @@ static void footprint(const query_t *q, long double f[4][2]) {
     }
 }
 
+/* The first column of cells that reaches beyond x. */
+static int first_column(const surface_ref_t *r, long double x) {
+    int lo = 0, hi = r->nx - 1;
+    while (lo < hi) {
+        int mid = (lo + hi) / 2;
+        if (r->x[mid + 1] < x)
+            lo = mid + 1;
+        else
+            hi = mid;
+    }
+    return lo;
+}
+
 typedef void visit_fn(const query_t *q, int ci, int cj, bool own, bool touches, void *ctx);
 
 /* Visits every existing cell that may be between the edge and the eye; the margins only cost time. */
@@ -173,9 +186,7 @@ static void visit_cells(const query_t *q, visit_fn *visit, void *ctx) {
         for (int k = 0; k < 4; k++)
             slab_range(f[k], f[(k + 1) & 3], r->y[cj] - slack_y, r->y[cj + 1] + slack_y, &lo, &hi);
         if (lo > hi) continue;
-        for (int ci = 0; ci + 1 < r->nx; ci++) {
-            if (r->x[ci + 1] < lo - slack_x) continue;
-            if (r->x[ci] > hi + slack_x) break;
+        for (int ci = first_column(r, lo - slack_x); ci + 1 < r->nx && r->x[ci] <= hi + slack_x; ci++) {
             if (!surface_ref_cell_exists(r, ci, cj)) continue;
             bool touches = q->imax >= ci && q->imin <= ci + 1 && q->jmax >= cj && q->jmin <= cj + 1;
             bool own = q->imin >= ci && q->imax <= ci + 1 && q->jmin >= cj && q->jmax <= cj + 1;
