@@ -62,7 +62,8 @@ int run_perimeter(const scene_t *s, run_drawing_t *d, hidden_stats_t *stats) {
     *stats = (hidden_stats_t){0};
     int err = grid_measure(&g, &surface, NULL, NULL, NULL, NULL, NULL);
     if (err) return err;
-    size_t bytes = perimeter_bytes(ref.nx, 40 * (ref.nx + ref.ny) + 1000);
+    int32_t vertices = (ref.hole ? 800 : 40) * (ref.nx + ref.ny) + 1000; /* a cover with gaps takes more */
+    size_t bytes = perimeter_bytes(ref.nx, vertices);
     hidden_job_t job = {.mem = malloc(bytes), .bytes = bytes, .sink = &sink};
     if (!job.mem) abort();
     err = perimeter_draw(&g, &cam, &job, stats);
