@@ -8,9 +8,8 @@ set samples 300
 set view 33,0,1.8,0.34
 set hidden3d horizon
 
-# A number in [0,1) for every n, and from it eight peaks whose place, height and width differ from row to row.
-r(n) = sin(n*12.9898 + 4.1)*43.7585
-u(n) = r(n) - floor(r(n))
+# A number in [0,1] for every n, and from it eight peaks whose place, height and width differ from row to row.
+u(n) = sin(91.7*n + 5.3*n**2)**2
 peak(x,y,k) = (0.2 + 0.8*u(7*y+k))**2 \
     * exp(-((x - 1.5*(u(3*y+5*k) + u(5*y+11*k) - 1)) / (0.06 + 0.1*u(11*y+3*k)))**2)
 peaks(x,y) = peak(x,y,1) + peak(x,y,2) + peak(x,y,3) + peak(x,y,4) \
