@@ -32,7 +32,7 @@ static num_t first_octant(num_t y, num_t x) {
     int32_t d = x.e - y.e; /* at least 0 */
     uint64_t xm = (uint64_t)x.m, ym = d < 64 ? (uint64_t)y.m >> d : 0;
     uint32_t x32 = (uint32_t)(xm >> 32), y32 = (uint32_t)(ym >> 32); /* 31 bits */
-    uint32_t j = (y32 + x32 / 128) / (x32 / 64);                     /* 64 y/x, within 0.51 */
+    uint32_t j = (y32 + x32 / 128) / (x32 / 64 + 1); /* 64 y/x, within 0.51; x32 >= 2^30, so 1 more is nothing */
     if (j == 0) {
         num_t u = num_div(y, x);
         if (u.e + 62 < -32) return u;
