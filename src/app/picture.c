@@ -35,7 +35,7 @@ int picture_camera(picture_t *p, const num_t lo[3], const num_t hi[3]) {
         int err = autoscale_range(range[k], &box.lo[k], &box.hi[k]);
         if (err) return err;
     }
-    if (!s->view.from) add_base_plane(s, &box.lo[2], &box.hi[2]);
+    if (!s->view.from && s->base) add_base_plane(s, &box.lo[2], &box.hi[2]);
     int err = camera_setup(&p->camera, s, &box);
     if (err) return err;
     if (p->hooks && p->hooks->begin) p->hooks->begin(p->hooks->ctx, &p->camera);

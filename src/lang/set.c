@@ -134,6 +134,36 @@ static bool is_lines_style(lexer_t lx) {
     return session_at_end(&lx);
 }
 
+/* The part of the base plane that option `id` of gnuplot is about, or 0. */
+static uint8_t base_of(uint8_t id) {
+    switch (id) {
+    case SET_BORDER:
+        return BASE_BORDER;
+    case SET_XTICS:
+        return BASE_XTICS;
+    case SET_YTICS:
+        return BASE_YTICS;
+    case SET_TICS:
+        return BASE_XTICS | BASE_YTICS;
+    default:
+        return 0;
+    }
+}
+
+/* set border [BITS ...]: the four lowest bits are the base plane's edges. */
+static int set_border(session_t *s, lexer_t *lx) {
+    num_t bits = num_from_i64(31);
+    if (lx->tok.kind == TOKEN_NUMBER) {
+        int err = expr_number(&s->lang, lx, &bits, &s->error);
+        if (err) return err;
+    }
+    if (num_to_fixed(bits, 0, NULL) & 15)
+        s->settings.base |= BASE_BORDER;
+    else
+        s->settings.base &= (uint8_t)~BASE_BORDER;
+    return 0;
+}
+
 static int find_option(session_t *s, lexer_t *lx, const char *missing) {
     int index = words_find(words_set, lx);
     if (index >= 0) return index;
@@ -187,6 +217,15 @@ int set_command(session_t *s, lexer_t *lx) {
             session_skip(lx);
             return 0;
         } /* fall through */
+    case SET_BORDER:
+    case SET_TICS:
+    case SET_XTICS:
+    case SET_YTICS:
+        set->base |= base_of(words_set[index].id);
+        if (words_set[index].id == SET_BORDER) {
+            int err = set_border(s, lx);
+            if (err) return err;
+        } /* fall through */
     case SET_IGNORED:
     case SET_FUNCTIONS: /* set function style, long gone from gnuplot */
     case SET_PARAMETRIC:
@@ -207,7 +246,8 @@ int set_unset_command(session_t *s, lexer_t *lx) {
     settings_t fresh;
     lexer_next(lx);
     uint8_t id = words_set[index].id;
-    if (id == SET_IGNORED || id == SET_STYLE || id == SET_PARAMETRIC) {
+    if (id == SET_IGNORED || id == SET_STYLE || id == SET_PARAMETRIC || base_of(id)) {
+        set->base &= (uint8_t)~base_of(id);
         if (id == SET_PARAMETRIC) s->parametric = false;
         session_warn_once(s, s->warned_set, index, "unset ", &word, " is ignored");
         session_skip(lx);

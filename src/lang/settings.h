@@ -19,6 +19,8 @@ enum hidden_mode {
     HIDDEN_NONE,
 };
 
+enum settings_base { BASE_BORDER = 1, BASE_XTICS = 2, BASE_YTICS = 4, BASE_ALL = 7 };
+
 typedef struct settings {
     range_t x, y, z;       /* autoscaled x, y of a function plot are [-10:10] */
     int32_t samples[2];    /* set samples a,b; 100,100 */
@@ -35,6 +37,8 @@ typedef struct settings {
     } view;
     bool xyplane_at; /* set xyplane at Z; otherwise relative: */
     num_t xyplane;   /* Z, or the fraction of the z range below it: 0.5 (set ticslevel is the same) */
+    uint8_t base; /* enum settings_base: what gnuplot would draw on the base plane. If nothing, the plane does not count
+                     for the axes' box either; nothing of it is drawn here */
     struct {
         int32_t width_um, height_um, margin_um; /* A4 landscape, margin 10 mm */
     } paper;

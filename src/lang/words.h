@@ -60,6 +60,10 @@ enum set_id {
     SET_FUNCTIONS, /* show only */
     SET_VERSION,   /* show only */
     SET_IGNORED,
+    SET_BORDER, /* this and the next three: not drawn, but they decide whether there is a base plane */
+    SET_TICS,
+    SET_XTICS,
+    SET_YTICS,
 };
 extern const word_t words_set[];
 #define WORDS_SET_MAX 192

@@ -80,6 +80,23 @@ static void defaults_are_gnuplots(void **state) {
     assert_string_equal(s->title, "");
 }
 
+/* What gnuplot draws on the base plane decides whether the plane is part of the box (seen in its pictures). */
+static void base_plane(void **state) {
+    fixture_t *f = *state;
+    const settings_t *s = settings(f);
+    assert_int_equal(s->base, BASE_ALL);
+    assert_int_equal(fixture_feed(f, "unset border; unset xtics"), 0);
+    assert_int_equal(s->base, BASE_YTICS);
+    assert_int_equal(fixture_feed(f, "unset tics; set border 16"), 0);
+    assert_int_equal(s->base, 0);
+    assert_int_equal(fixture_feed(f, "set border 4095 lw 2"), 0);
+    assert_int_equal(s->base, BASE_BORDER);
+    assert_int_equal(fixture_feed(f, "set tics; set xtics 0,1,2"), 0);
+    assert_int_equal(s->base, BASE_ALL);
+    assert_int_equal(fixture_feed(f, "unset border; reset"), 0);
+    assert_int_equal(s->base, BASE_ALL);
+}
+
 static void ranges(void **state) {
     fixture_t *f = *state;
     const settings_t *s = settings(f);
@@ -198,6 +215,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(defaults_are_gnuplots, setup, teardown),
         cmocka_unit_test_setup_teardown(show_can_be_fed_back, setup, teardown),
+        cmocka_unit_test_setup_teardown(base_plane, setup, teardown),
         cmocka_unit_test_setup_teardown(ranges, setup, teardown),
         cmocka_unit_test_setup_teardown(view_keeps_what_is_left_out, setup, teardown),
         cmocka_unit_test_setup_teardown(paper, setup, teardown),
