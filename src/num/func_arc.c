@@ -36,16 +36,16 @@ static num_t first_octant(num_t y, num_t x) {
     if (j == 0) {
         num_t u = num_div(y, x);
         if (u.e + 62 < -32) return u;
-        return num_fast_sub(u,
-                            num_fast_mul(u, num_from_fixed((int64_t)atan_correction(num_to_fixed(u, 69, NULL)), 74)));
+        return num_sub(u, num_mul(u, num_from_fixed((int64_t)atan_correction(num_to_fixed(u, 69, NULL)), 74)));
     }
     if (j > 64) j = 64;
-    int64_t n = (int64_t)((ym << 6) - j * xm); /* |n| < 2^63: modulo 2^64 is enough */
+    /* 64 y - j x, |n| < 2^63, so modulo 2^64 is enough; d <= 7 here */
+    int64_t n = (int64_t)((d <= 6 ? (uint64_t)y.m << (6 - d) : (uint64_t)y.m >> 1) - j * xm);
     uint64_t den = xm + ((ym >> 6) * j + (((ym & 63) * j) >> 6));
     num_t quotient = num_div(num_from_fixed(n, 6), num_fast_normal(den, 0, 0));
     int64_t u = num_to_fixed(quotient, 69, NULL);
-    u -= wide_mulhi_s64(u, (int64_t)atan_correction(u)) >> 10; /* atan u, Q69 */
-    return num_from_fixed((int64_t)func_tables_atan[j] + ((u + 64) >> 7), 62);
+    u -= wide_mulhi_s64(u, (int64_t)atan_correction(u)) >> 10;                       /* atan u, Q69 */
+    return num_fast_normal(func_tables_atan[j] + (uint64_t)((u + 16) >> 5), -64, 0); /* below 0.8 */
 }
 
 num_t func_atan2(num_t y, num_t x) {
@@ -56,14 +56,14 @@ num_t func_atan2(num_t y, num_t x) {
         r = x.m < 0 ? pi : y;
     else if (x.m == 0)
         r = half;
-    else if (num_fast_cmp(ay, ax) <= 0) {
+    else if (num_cmp(ay, ax) <= 0) {
         r = first_octant(ay, ax);
-        if (x.m < 0) r = num_fast_sub(pi, r);
+        if (x.m < 0) r = num_sub(pi, r);
     } else {
         r = first_octant(ax, ay);
-        r = x.m < 0 ? num_fast_add(half, r) : num_fast_sub(half, r);
+        r = x.m < 0 ? num_add(half, r) : num_sub(half, r);
     }
-    return y.m < 0 ? num_fast_neg(r) : r;
+    return y.m < 0 ? num_neg(r) : r;
 }
 
 num_t func_atan(num_t a) {

@@ -16,8 +16,8 @@
 
 /* 2^(k/64) * e^r, r in Q70 with |r| < 0.00545 (2^62.5). Worst error 2^-55: that of the cubic term. */
 static num_t exp_reduced(int32_t k, int64_t r) {
-    int32_t rh = (int32_t)(r >> 32);  /* Q38, 31 bits */
-    uint64_t square = func_square(r); /* Q76, below 2^61 */
+    int32_t rh = (int32_t)((r + ((int64_t)1 << 31)) >> 32); /* Q38, 31 bits */
+    uint64_t square = func_square(r);                       /* Q76, below 2^61 */
     /* 1/6 + r/24 + r^2/120 + r^3/720, Q33; the next term is below 2^-58 */
     int32_t q = 71582788 + (int32_t)(wide_mul_s32(rh, 11930465) >> 38);
     q = 357913941 + (int32_t)(wide_mul_s32(rh, q) >> 38);
@@ -71,7 +71,7 @@ static num_t sinh_series(num_t a) {
 
 num_t func_sinh(num_t a) {
     if (a.m == 0) return a;
-    if (a.e < -62) return num_fast_add(a, num_fast_mul(a, sinh_series(a)));
+    if (a.e < -62) return num_add(a, num_mul(a, sinh_series(a)));
     num_t t = func_exp(num_abs(a)), s = num_ldexp(num_sub(t, num_div(num_from_i64(1), t)), -1);
     return a.m < 0 ? num_neg(s) : s;
 }

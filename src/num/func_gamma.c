@@ -22,17 +22,17 @@ static num_t reciprocal(num_t f) {
 num_t func_gamma(num_t a) {
     num_t one = num_from_i64(1), product = one, limit = num_from_i64(GAMMA_LIMIT);
     if (a.m <= 0 && num_is_integer(a)) return num_undef();
-    if (a.undef || num_fast_cmp(a, limit) > 0) return num_undef();
-    if (num_fast_cmp(a, num_neg(limit)) < 0) return num_from_i64(0);
-    if (a.m > 0 && num_fast_cmp(a, one) >= 0) {
+    if (a.undef || num_cmp(a, limit) > 0) return num_undef();
+    if (num_cmp(a, num_neg(limit)) < 0) return num_from_i64(0);
+    if (a.m > 0 && num_cmp(a, one) >= 0) {
         /* (a - 1) (a - 2) ... down to 1 + f */
         num_t x = num_sub(a, one);
-        for (; num_fast_cmp(x, one) >= 0; x = num_fast_sub(x, one)) product = num_fast_mul(product, x);
+        for (; num_cmp(x, one) >= 0; x = num_sub(x, one)) product = num_mul(product, x);
         return num_div(product, reciprocal(x));
     }
     /* a (a + 1) ... up to f: every sum is exact, because it has no more digits than its operands */
     num_t x = a;
-    for (; x.m < 0; x = num_fast_add(x, one)) product = num_fast_mul(product, x);
+    for (; x.m < 0; x = num_add(x, one)) product = num_mul(product, x);
     product = num_mul(num_mul(product, x), reciprocal(x));
     return product.undef ? num_from_i64(0) : num_div(one, product);
 }

@@ -59,7 +59,7 @@ num_t func_log(num_t a) {
     if (p.k != 0 || (p.j != 0 && p.j != 64)) return num_from_wide(sum(&p), 116);
     /* |a - 1| < 2^-7: relative to r */
     num_t r = num_from_wide(p.r, 73);
-    return num_fast_sub(r, num_fast_mul(r, num_from_fixed(p.v, 67)));
+    return num_sub(r, num_mul(r, num_from_fixed(p.v, 67)));
 }
 
 num_t func_log10(num_t a) {
@@ -67,7 +67,7 @@ num_t func_log10(num_t a) {
     parts_t p = split(a);
     if (p.k == 0 && (p.j == 0 || p.j == 64)) {
         /* log10(e) */
-        return num_fast_mul(func_log(a), (num_t){0x6f2dec549b9438cb, -64, false});
+        return num_mul(func_log(a), (num_t){0x6f2dec549b9438cb, -64, false});
     }
     /* In more than 63 bits, so that log10(1000) is 3. */
     wide_t l = sum(&p);

@@ -6,9 +6,6 @@
 #include "num/func.h"
 #include "num/func_inner.h"
 #include "num/num_fast.h"
-#include <stddef.h>
-
-#define IPOW_LIMIT 64
 
 /* b * l in Q116, saturated to +-2^11 (which func_exp_wide takes as out of range). */
 static wide_t scaled(wide_t l, num_t b) {
@@ -37,13 +34,12 @@ static bool is_odd(num_t b) {
 }
 
 num_t func_pow(num_t a, num_t b) {
+    /* 1 <= |b| < 128 and whole: its low -e bits are zero */
+    if (b.e <= -56 && b.e >= -62 && (b.m & (((int64_t)1 << -b.e) - 1)) == 0) return num_ipow(a, (int32_t)(b.m >> -b.e));
     if (a.undef || b.undef) return num_undef();
     if (b.m == 0) return num_from_i64(1);
     if (a.m == 0) return b.m > 0 ? a : num_undef();
-    bool whole = num_is_integer(b);
-    if (a.m < 0 && !whole) return num_undef();
-    if (whole && num_cmp(num_abs(b), num_from_i64(IPOW_LIMIT)) <= 0)
-        return num_ipow(a, (int32_t)num_to_fixed(b, 0, NULL));
+    if (a.m < 0 && !num_is_integer(b)) return num_undef();
     if (ints_abs64(b.m) == (uint64_t)1 << 62 && b.e == -63) { /* +-1/2 */
         num_t root = num_sqrt(a);
         return b.m > 0 ? root : num_div(num_from_i64(1), root);

@@ -9,7 +9,7 @@ extern const uint64_t func_tables_exp2[64];       /* 2^(j/64) * 2^62 */
 extern const uint64_t func_tables_sin[65];        /* sin(j pi/128) * 2^62 */
 extern const uint16_t func_tables_log_factor[65]; /* c_j = 2048 / (1 + j/64), an integer */
 extern const wide_t func_tables_log[65];    /* (-log(c_j / 2048) - (j >= FUNC_TABLES_LOG_HALF ? log 2 : 0)) * 2^116 */
-extern const uint64_t func_tables_atan[65]; /* atan(j/64) * 2^62 */
+extern const uint64_t func_tables_atan[65]; /* atan(j/64) * 2^64 */
 extern const uint64_t func_tables_turn[20]; /* 1 / (2 pi), the 1280 bits behind the binary point */
 
 /* Chebyshev coefficients in Q60: f(t) = sum of c[k] T_k(t), |t| <= 1, from the values at the Chebyshev nodes

@@ -86,8 +86,8 @@ static num_t sine_at(uint32_t k, wide_t r126, small_t s, int64_t sign) {
     uint32_t j = k & 63;
     if ((k & 127) == 0) { /* relative to r: a zero of the function may be near */
         num_t r = num_from_wide(r126, 126);
-        r = num_fast_sub(r, num_fast_mul(r, num_from_fixed((int64_t)s.u, 74)));
-        return sign < 0 ? num_fast_neg(r) : r;
+        r = num_sub(r, num_mul(r, num_from_fixed((int64_t)s.u, 74)));
+        return sign < 0 ? num_neg(r) : r;
     }
     int64_t sr = s.r - (wide_mulhi_s64(s.r, (int64_t)s.u) >> 10); /* sin r, Q69 */
     int64_t a = (int64_t)func_tables_sin[j], b = (int64_t)func_tables_sin[64 - j];

@@ -77,6 +77,7 @@ static num_t compared(num_t v, num_t w) {
 }
 
 int main(void) {
+    num_t two = num_from_i64(2);
     SHOW("num_add", -10, 10, num_add(a[i], b[i]), da[i] + db[i]);
     SHOW("num_fast_add", -10, 10, num_fast_add(a[i], b[i]), da[i] + db[i]);
     SHOW("num_fast_sub", -10, 10, num_fast_sub(a[i], b[i]), da[i] - db[i]);
@@ -89,6 +90,7 @@ int main(void) {
     SHOW("func_exp", -10, 10, func_exp(a[i]), exp(da[i]));
     SHOW("func_log", 0, 10, func_log(a[i]), log(da[i]));
     SHOW("func_pow", 0, 10, func_pow(a[i], b[i]), pow(da[i], db[i]));
+    SHOW("func_pow(x, 2)", -10, 10, func_pow(a[i], two), pow(da[i], 2));
     SHOW("func_sin", -10, 10, func_sin(a[i]), sin(da[i]));
     SHOW("func_cos", -10, 10, func_cos(a[i]), cos(da[i]));
     SHOW("func_sin", 1e6, 1e15, func_sin(a[i]), sin(da[i]));
