@@ -113,6 +113,19 @@ static inline void envelope_seek(envelope_t *h, int32_t a) {
     h->r = r;
 }
 
+/* Is everything from abscissa a0 to a1 that is no higher than `top` hidden? (Rather no than wrongly yes.) Cost: a
+ * comparison per vertex, up to the first that says no. */
+static inline bool envelope_hides(envelope_t *h, int32_t a0, int32_t a1, int32_t top) {
+    envelope_seek(h, a0);
+    if (h->l[-1].w < top) return false;
+    const pencil_t *p = h->r;
+    while (p->w >= top) {
+        if (p->a >= a1) return true;
+        p++;
+    }
+    return false;
+}
+
 /* The common case of a surface that faces the eye: the horizon passes through n between its vertices l and r, and a
  * facet's far chain l-f-r rises above l-n-r everywhere. Then f takes the place of n and nothing else changes. True if
  * so; otherwise only the gap has moved. The sweep's direction says on which side of the gap n is: `ascending` for

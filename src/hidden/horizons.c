@@ -66,11 +66,11 @@ int horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1) {
     h->whole = false;
     pencil_t l = h->flip ? p1 : p0, r = h->flip ? p0 : p1;
     if (r.a - l.a <= ENVELOPE_VERTICAL) return clip_vertical(h, l, r);
-    if (h->has_upper) {
+    if (h->has_upper && !h->skip_upper) {
         int n = envelope_clip(&h->upper, l, r, take_upper, h, &h->count);
         if (n < 0) return n;
     }
-    if (!h->has_lower || h->whole) return 0;
+    if (!h->has_lower || h->skip_lower || h->whole) return 0;
     l.w = -l.w, r.w = -r.w;
     int n = envelope_clip(&h->lower, l, r, take_lower, h, &h->count);
     return n < 0 ? n : 0;

@@ -13,7 +13,8 @@ typedef struct horizons {
     envelope_count_t count;
     envelope_take_t take; /* gets visible parts as fractions from p0 to p1, in no particular order */
     void *ctx;
-    bool flip, whole; /* of the line being clipped: p0 is on the right; all of it was above */
+    bool skip_upper, skip_lower; /* the caller knows that nothing rises above it (falls below it) */
+    bool flip, whole;            /* of the line being clipped: p0 is on the right; all of it was above */
 } horizons_t;
 
 /* Empty horizons in pool[0..count). Returns 0 or ERR_FULL. */

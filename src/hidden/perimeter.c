@@ -10,8 +10,13 @@
 #include "error.h"
 #include "hidden/edges.h"
 
+/* What became of a facet's far edges: both wholly above the upper horizon, below the lower one, both hidden, or
+ * something else. */
+enum facet_kind { FACET_CUT, FACET_ABOVE, FACET_BELOW, FACET_HIDDEN };
+
 typedef struct sweep {
     edges_t edges;
+    enum facet_kind last; /* of the corner facet before */
     chart_line_t line[2]; /* [0] has the smaller j, between two rows of facets one of them is refilled */
     run_t *column_run;    /* one per column */
     run_t row_run[2];     /* of line[0] and line[1] */
@@ -21,38 +26,73 @@ typedef struct sweep {
     int64_t facets;
 } sweep_t;
 
-/* Where the four corners of a facet are in the two lines, seen from the eye: n is the near one, f the far one. */
-static inline bool advance(sweep_t *s, envelope_t *h, bool ascending, pencil_t n, pencil_t b, pencil_t c, pencil_t f) {
-    return ascending ? envelope_advance(h, true, c, n, b, f, &s->edges.horizons.count)
-                     : envelope_advance(h, false, b, n, c, f, &s->edges.horizons.count);
-}
-
 static inline pencil_t mirror(pencil_t p) {
     return (pencil_t){p.a, -p.w};
 }
 
-/* A facet off the eye's row and column: two of its edges are new, the column `side` and the row `far`. */
+/* A facet off the eye's row and column, by its corners: n is the near one, f the far one, l and r the others from left
+ * to right. */
+typedef struct corner {
+    pencil_t n, l, r, f;
+    bool ascending;
+} corner_t;
+
+static inline bool advance_upper(sweep_t *s, const corner_t *q) {
+    horizons_t *h = &s->edges.horizons;
+    return h->has_upper && envelope_advance(&h->upper, q->ascending, q->l, q->n, q->r, q->f, &h->count);
+}
+
+static inline bool advance_lower(sweep_t *s, const corner_t *q) {
+    horizons_t *h = &s->edges.horizons;
+    return h->has_lower &&
+           envelope_advance(&h->lower, q->ascending, mirror(q->l), mirror(q->n), mirror(q->r), mirror(q->f), &h->count);
+}
+
+/* Sorts out what can be told of a whole facet: its far edges both visible, both hidden, or to be clipped. Neighbours
+ * tend to be alike, so what the last facet was is tried first. */
+static enum facet_kind judge_corner(sweep_t *s, const corner_t *q) {
+    horizons_t *h = &s->edges.horizons;
+    if (s->last == FACET_ABOVE && advance_upper(s, q)) return FACET_ABOVE;
+    if (s->last == FACET_BELOW && advance_lower(s, q)) return FACET_BELOW;
+    int32_t top = q->l.w > q->r.w ? q->l.w : q->r.w, bottom = q->l.w < q->r.w ? q->l.w : q->r.w;
+    if (q->f.w > top) top = q->f.w;
+    if (q->f.w < bottom) bottom = q->f.w;
+    h->skip_upper = h->has_upper && envelope_hides(&h->upper, q->l.a, q->r.a, top);
+    h->skip_lower = h->has_lower && envelope_hides(&h->lower, q->l.a, q->r.a, -bottom);
+    if ((h->skip_upper || !h->has_upper) && (h->skip_lower || !h->has_lower)) return FACET_HIDDEN;
+    if (!h->skip_upper && s->last != FACET_ABOVE && advance_upper(s, q)) return FACET_ABOVE;
+    if (!h->skip_lower && s->last != FACET_BELOW && advance_lower(s, q)) return FACET_BELOW;
+    return FACET_CUT;
+}
+
+/* Two of its edges are new, the column `out` and the row `far`. */
 static int corner_facet(sweep_t *s, int32_t i, int far, bool rightward) {
     edges_t *e = &s->edges;
-    horizons_t *h = &e->horizons;
     const chart_line_t *lf = &s->line[far], *ln = &s->line[1 - far];
     const int32_t in = rightward ? i : i + 1, out = rightward ? i + 1 : i;
-    pencil_t n = ln->at[in], b = ln->at[out], c = lf->at[in], f = lf->at[out];
-    const bool ascending = rightward != (far == 1);
-    bool whole = false;
-    const bool straight = e->chart.kind < CHART_AROUND || edges_in_one_sector(b, c);
-    if (straight && h->has_upper) whole = advance(s, &h->upper, ascending, n, b, c, f);
-    if (straight && !whole && h->has_lower)
-        whole = advance(s, &h->lower, ascending, mirror(n), mirror(b), mirror(c), mirror(f));
-    int err;
-    if (whole) {
-        err = edges_whole(e, INK_COL, out, s->line[0].j, &s->column_run[out]);
+    corner_t q = {ln->at[in], lf->at[in], ln->at[out], lf->at[out], rightward != (far == 1)};
+    if (!q.ascending) {
+        pencil_t r = q.l;
+        q.l = q.r;
+        q.r = r;
+    }
+    /* In CHART_AROUND an edge may bend at a diagonal, and in a plan nothing is hidden. */
+    const bool straight = e->chart.kind < CHART_AROUND || edges_in_one_sector(q.l, q.r);
+    e->horizons.skip_upper = e->horizons.skip_lower = false;
+    s->last = straight ? judge_corner(s, &q) : FACET_CUT;
+    if (s->last == FACET_HIDDEN) {
+        e->clipped += 2;
+        return 0;
+    }
+    if (s->last != FACET_CUT) {
+        int err = edges_whole(e, INK_COL, out, s->line[0].j, &s->column_run[out]);
         return err != 0 ? err : edges_whole(e, INK_ROW, lf->j, i, &s->row_run[far]);
     }
     const bool row_first = edges_row_is_vertical(e, lf, i);
-    err = row_first ? edges_row(e, lf, i, &s->row_run[far]) : 0;
+    int err = row_first ? edges_row(e, lf, i, &s->row_run[far]) : 0;
     if (err == 0) err = edges_column(e, &s->line[0], &s->line[1], out, &s->column_run[out]);
-    return row_first || err != 0 ? err : edges_row(e, lf, i, &s->row_run[far]);
+    if (err == 0 && !row_first) err = edges_row(e, lf, i, &s->row_run[far]);
+    return err;
 }
 
 static int column_edge(sweep_t *s, int32_t i) {
@@ -129,6 +169,7 @@ static int flush_rows(sweep_t *s) {
 static int sweep_row(sweep_t *s, int far, bool fresh) {
     const chart_t *c = &s->edges.chart;
     const int32_t nx = c->grid->nx, i0 = c->i0;
+    s->edges.horizons.skip_upper = s->edges.horizons.skip_lower = false;
     if (s->edges.gaps) {
         int err = row_among_holes(s);
         return err != 0 ? err : flush_rows(s);
