@@ -6,6 +6,7 @@
 #define HAL_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #define HAL_TICK_HZ 16000000u /* the tick of traces and plans; a port scales to its own timer */
@@ -32,9 +33,49 @@ void hal_idle(void);
 /* Stops everything: pen up, motors off, message out. Does not return on a board. */
 void hal_fault(const char *what, int32_t a, int32_t b);
 
-/* Upward: the only function a port calls. The body lives in src/motion. */
-void stepgen_isr(void);
+/* Brings the chip up: first the pins safe (motors off, pen up), then clocks, timer, console, inputs. Interrupts are on
+ * afterwards. Called once, by main. */
+void hal_start(void);
+/* For the banner: "rp2040", "lm3s6965", "nrf51", "sim". */
+const char *hal_board_name(void);
 
-static inline bool hal_before(uint32_t a, uint32_t b) { return (int32_t)(a - b) < 0; }
+/* The console, 115200 8N1. The next byte received, or -1. */
+int hal_console_read(void);
+/* Queues text to be sent by interrupt; waits while the queue is full, and the machine goes on. Main loop only. */
+void hal_console_write(const char *text, size_t bytes);
+/* Bytes lost since last asked: overruns of the receiver or of its queue, framing errors. */
+uint32_t hal_console_errors(void);
+
+/* Switches. A set bit means active; the port applies the board's polarity. */
+enum hal_input {
+    HAL_IN_LIMIT_X = 1 << 0,
+    HAL_IN_LIMIT_Y = 1 << 1,
+    HAL_IN_BUTTON = 1 << 2, /* start */
+    HAL_IN_ESTOP = 1 << 3,
+};
+uint32_t hal_inputs(void);
+
+/* Memory that keeps its contents without power: slots that are erased and written as a whole. A write that loses its
+ * power leaves its own slot undefined and all others alone; checksums and taking turns are the caller's. Not while
+ * the machine steps: some chips stand still meanwhile. Both return 0 or ERR_FILE (write: what was read back differs).
+ * bytes up to HAL_STORE_BYTES; buf of a write aligned to 4. A slot never written reads as 0xff. */
+#define HAL_STORE_SLOTS 4
+#define HAL_STORE_BYTES 4096u
+int hal_store_read(int slot, void *buf, size_t bytes);
+int hal_store_write(int slot, const void *buf, size_t bytes);
+
+/* Resets the chip when it is not fed for ms milliseconds (1 .. 8000). Cannot be stopped again. */
+void hal_watchdog_start(uint32_t ms);
+void hal_watchdog_feed(void);
+
+/* Upward, both in interrupt context and the only functions a port calls. stepgen_isr: the armed deadline. The body
+ * lives in src/motion. */
+void stepgen_isr(void);
+/* A limit or the emergency stop has become active; inputs as of hal_inputs(). The body lives in src/app. */
+void console_input_isr(uint32_t inputs);
+
+static inline bool hal_before(uint32_t a, uint32_t b) {
+    return (int32_t)(a - b) < 0;
+}
 
 #endif

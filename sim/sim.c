@@ -2,6 +2,13 @@
 #include "sim/sim.h"
 #include <stdbool.h>
 #include <stddef.h>
+#include <string.h>
+
+typedef struct event {
+    uint64_t tick;
+    void (*call)(void *ctx);
+    void *ctx;
+} event_t;
 
 static struct {
     uint64_t tick;   /* since reset */
@@ -14,6 +21,8 @@ static struct {
     const char *fault;
     uint32_t late_period, late_by;
     sim_counts_t counts;
+    event_t event[SIM_EVENTS]; /* by tick */
+    int events;
 } s;
 
 void sim_reset(void) {
@@ -24,6 +33,7 @@ void sim_reset(void) {
     s.recorder = NULL;
     s.fault = NULL;
     s.late_period = 0;
+    s.events = 0;
     s.counts = (sim_counts_t){0};
 }
 
@@ -88,16 +98,37 @@ static void serve(void) {
     stepgen_isr();
 }
 
+bool sim_at(uint64_t tick, void (*event)(void *ctx), void *ctx) {
+    if (s.events == SIM_EVENTS) return false;
+    int i = s.events++;
+    for (; i > 0 && s.event[i - 1].tick > tick; i--) s.event[i] = s.event[i - 1];
+    s.event[i] = (event_t){tick, event, ctx};
+    return true;
+}
+
+/* The next event, deadline, or nothing, if it comes up to `until`. */
+static bool step(uint64_t until) {
+    if (s.events && s.event[0].tick <= until && !(s.armed && s.deadline < s.event[0].tick)) {
+        event_t e = s.event[0];
+        s.events--;
+        memmove(s.event, s.event + 1, (size_t)s.events * sizeof s.event[0]);
+        if (e.tick > s.tick) s.tick = e.tick;
+        e.call(e.ctx);
+        return true;
+    }
+    if (!s.armed || s.deadline > until) return false;
+    serve();
+    return true;
+}
+
 void hal_idle(void) {
-    if (s.armed)
-        serve();
-    else
-        s.tick += SIM_IDLE_TICKS;
+    uint64_t until = s.tick + SIM_IDLE_TICKS;
+    if (!step(s.armed ? s.deadline : until)) s.tick = until;
 }
 
 void sim_run(uint64_t ticks) {
     uint64_t until = s.tick + ticks;
-    while (s.armed && s.deadline <= until) serve();
+    while (step(until)) continue;
     if (s.tick < until) s.tick = until;
 }
 

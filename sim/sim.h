@@ -2,7 +2,9 @@
  *
  * There is one simulated machine per program. hal_idle() moves the clock to the armed deadline and calls stepgen_isr();
  * nothing else moves it, so a run takes no longer than its computing and repeats exactly. With no deadline armed,
- * hal_idle() lets SIM_IDLE_TICKS pass. */
+ * hal_idle() lets SIM_IDLE_TICKS pass. Something scheduled from outside (sim_at) comes in between at its own tick.
+ *
+ * Console, switches, store and watchdog of the machine are in sim_console.h. */
 #ifndef SIM_H
 #define SIM_H
 
@@ -25,6 +27,11 @@ uint32_t sim_pins(void);
 const char *sim_fault(void);
 /* Lets virtual time pass, serving deadlines: as a main loop that is busy elsewhere would. */
 void sim_run(uint64_t ticks);
+
+/* Calls event(ctx) when the clock reaches `tick`, as an interrupt would: within hal_idle or sim_run, before a deadline
+ * of the same tick. A tick gone by counts as now. Same ticks keep their order. False when SIM_EVENTS are waiting. */
+#define SIM_EVENTS 4096
+bool sim_at(uint64_t tick, void (*event)(void *ctx), void *ctx);
 
 /* Fault injection: every `period`-th deadline is served `late` ticks late (period 0: none). */
 void sim_inject_late(uint32_t period, uint32_t late);
