@@ -8,7 +8,6 @@ run_fuzzer() {
     name=${1##*/}
     mkdir -p "$work/corpus-$name"
     set -- "$1" "$work/corpus-$name"
-    [ -f "tests/fuzz/${name#fuzz_}.dict" ] && set -- "$@" -dict="tests/fuzz/${name#fuzz_}.dict"
     [ -d "tests/fuzz/corpus/$name" ] && set -- "$@" "tests/fuzz/corpus/$name"
     [ -e "tests/fuzz/$name.dict" ] && set -- "$@" "-dict=tests/fuzz/$name.dict"
     "$@" -max_total_time="${FUZZ_SECONDS:-10}" -timeout=5 -print_final_stats=1 -artifact_prefix="$BUILDDIR/fuzz/" -verbosity=0 >"$log" 2>&1
