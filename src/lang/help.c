@@ -23,7 +23,10 @@ static const topic_t topics[] = {
                "ELEMENT: an expression in x and y, or 'file', or '-' (rows follow, up to a line e); then\n"
                "  with lines (w l), title 'text', notitle, and for data: using, index, every, matrix (help data).\n"
                "A range may name its variable: splot [u=0:1] [v=0:1] u*v. The grid is set isosamples.\n"},
-    {"p$lot", "plot [x0:x1] [y0:y1] f(x), g(x), ...     short: p\nCurves with as many points as set samples.\n"},
+    {"p$lot",
+     "plot [x0:x1] [y0:y1] ELEMENT, ELEMENT, ...     short: p\n"
+     "ELEMENT: an expression in x, drawn with as many points as set samples, or 'file' or '-' with rows x y or y,\n"
+     "using 1:2, index, every; then with lines, title 'text', notitle.\n"},
     {"rep$lot", "replot [more elements]     short: rep\nThe last plot again, with its inline data.\n"},
     {"se$t", "set OPTION ...     short: se\nOptions: xrange yrange zrange samples isosamples view hidden3d title "
              "xyplane paper\n"

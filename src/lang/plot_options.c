@@ -38,13 +38,17 @@ static int using_part(session_t *s, lexer_t *lx, session_source_t *src, int k) {
 
 static int using(session_t *s, lexer_t *lx, session_source_t *src) {
     lexer_t at = *lx;
+    bool flat = src->spec.flat;
     int n = 0;
     do {
-        if (n == 3) return session_fail(s, lx, ERR_UNSUPPORTED, "a surface takes no more than three columns");
+        if (n == (flat ? 2 : 3))
+            return session_fail(s, lx, ERR_UNSUPPORTED,
+                                flat ? "a curve takes no more than two columns"
+                                     : "a surface takes no more than three columns");
         int err = using_part(s, lx, src, n++);
         if (err) return err;
     } while (lexer_accept(lx, ':'));
-    if (n == 2) return session_fail(s, &at, ERR_SYNTAX, "a surface needs one column (z) or three (x:y:z)");
+    if (n == 2 && !flat) return session_fail(s, &at, ERR_SYNTAX, "a surface needs one column (z) or three (x:y:z)");
     if (lx->tok.kind == TOKEN_STRING) return session_fail(s, lx, ERR_UNSUPPORTED, "formats are not supported");
     src->spec.parts = n;
     return 0;
@@ -120,6 +124,8 @@ int plot_options_data(session_t *s, lexer_t *lx, session_source_t *src) {
             return lang_error_set_name(&s->error, ERR_UNSUPPORTED, lexer_column(lx), "not supported", lexer_text(lx),
                                        lx->tok.len);
         } else {
+            if (src->spec.format != DATA_ROWS && src->spec.flat)
+                return lang_error_set(&s->error, ERR_UNSUPPORTED, src->column, "a matrix is drawn by splot");
             if (src->spec.format == DATA_NONUNIFORM && !seen_matrix)
                 return lexer_unexpected(lx, &s->error, "`matrix` expected with nonuniform");
             return 0;

@@ -94,8 +94,7 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
     src->title = lexer_text(lx);
     int err;
     if (lx->tok.kind == TOKEN_STRING) {
-        if (kind == PLOT_CURVES)
-            return session_fail(s, lx, ERR_UNSUPPORTED, "plot draws expressions of x only; for data there is splot");
+        src->spec.flat = kind == PLOT_CURVES;
         err = data_name(s, lx, src);
         src->title_len = (int32_t)(src->name.tok.len);
         if (!err) err = plot_options_data(s, lx, src);
@@ -146,6 +145,8 @@ int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind) {
         const session_source_t *src = &s->plot.source[k];
         if (src->kind == SOURCE_EXPR)
             err = try_out(s, src);
+        else if (src->kind == SOURCE_MESH && kind == PLOT_CURVES)
+            err = lang_error_set(&s->error, ERR_UNSUPPORTED, src->column, "a terrain is drawn by splot");
         else if (src->kind == SOURCE_MESH && s->plot.sources > 1)
             err = lang_error_set(&s->error, ERR_UNSUPPORTED, src->column, "a terrain is drawn alone");
     }

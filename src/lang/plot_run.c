@@ -32,7 +32,7 @@ static void start_reader(session_t *s, session_source_t *src, bool inline_data, 
     s->lang.column_ctx = s;
     s->plot.data_error = 0;
     data_reader_start(&s->plot.reader, &src->spec, &s->pool, s->plot.grid + s->plot.grids,
-                      CONFIG_PLOT_ITEMS - s->plot.grids, inline_data, first_line);
+                      s->plot.curve + s->plot.grids, CONFIG_PLOT_ITEMS - s->plot.grids, inline_data, first_line);
 }
 
 /* A reader's error, in the data's own lines. */
@@ -104,19 +104,29 @@ static int read_file(session_t *s, session_source_t *src) {
     return err;
 }
 
-/* The extent of all data along x (k = 0) or y, in which functions beside them are drawn. */
-static bool data_extent(const session_t *s, int k, num_t out[2]) {
-    bool any = false;
-    for (int32_t i = 0; i < s->plot.grids; i++) {
-        data_view_t v;
-        surface_t u;
-        if (data_grid_surface(&s->plot.grid[i], NULL, NULL, &v, &u)) continue;
-        num_t lo = k ? u.y_of(&v, 0) : u.x_of(&v, 0), hi = k ? u.y_of(&v, u.ny - 1) : u.x_of(&v, u.nx - 1);
-        if (!any || num_cmp(lo, out[0]) < 0) out[0] = lo;
-        if (!any || num_cmp(hi, out[1]) > 0) out[1] = hi;
-        any = true;
+/* The extent of one set of data along x (k = 0) or y. */
+static void set_extent(session_t *s, int32_t i, int k, num_t out[2]) {
+    data_view_t v;
+    surface_t u;
+    curve_t c;
+    if (s->plot.kind == PLOT_CURVES) {
+        data_curve_get(&s->plot.curve[i], &c, out);
+    } else {
+        data_grid_surface(&s->plot.grid[i], NULL, NULL, &v, &u);
+        out[0] = k ? u.y_of(&v, 0) : u.x_of(&v, 0);
+        out[1] = k ? u.y_of(&v, u.ny - 1) : u.x_of(&v, u.nx - 1);
     }
-    return any;
+}
+
+/* The extent of all data, in which functions beside them are drawn. */
+static bool data_extent(session_t *s, int k, num_t out[2]) {
+    for (int32_t i = 0; i < s->plot.grids; i++) {
+        num_t e[2];
+        set_extent(s, i, k, e);
+        if (i == 0 || num_cmp(e[0], out[0]) < 0) out[0] = e[0];
+        if (i == 0 || num_cmp(e[1], out[1]) > 0) out[1] = e[1];
+    }
+    return s->plot.grids > 0;
 }
 
 /* Where functions are drawn along axis k: the range, its automatic ends being those of the data, else -10 and 10. */
@@ -131,7 +141,7 @@ static int function_range(session_t *s, int k, num_t *lo, num_t *hi) {
 }
 
 /* The limits that data are cut to, for a range with one or two ends set. */
-static const num_t *data_limits(const session_t *s, int k, num_t out[2]) {
+static const num_t *data_limits(session_t *s, int k, num_t out[2]) {
     const range_t *r = &s->plot.range[k];
     if ((r->auto_lo && r->auto_hi) || !data_extent(s, k, out)) return NULL;
     /* A border written as 2.0000001 is still inside of [-2:2]. */
@@ -176,8 +186,9 @@ static int make_items(session_t *s) {
         s->plot.item[0] = (plot_item_t){.title = src->title, .title_len = src->title_len, .mesh = s->plot.mesh};
         return 1;
     }
-    for (int k = 0; k < 2; k++) {
-        if (k == 1 && s->plot.kind == PLOT_CURVES) break; /* y is not a variable there */
+    bool function = false;
+    for (int32_t k = 0; k < s->plot.sources; k++) function |= s->plot.source[k].kind == SOURCE_EXPR;
+    for (int k = 0; function && k < (s->plot.kind == PLOT_CURVES ? 1 : 2); k++) { /* y is no variable of curves */
         int err = function_range(s, k, &lo[k], &hi[k]);
         if (err) return err;
     }
@@ -192,7 +203,9 @@ static int make_items(session_t *s) {
             item->title = src->title;
             item->title_len = src->title_len;
             int err = 0;
-            if (data)
+            if (data && s->plot.kind == PLOT_CURVES)
+                data_curve_get(&s->plot.curve[src->first_grid], &item->curve, NULL);
+            else if (data)
                 err = data_item(s, src, &s->plot.grid[src->first_grid + g], &s->plot.work[n], item);
             else
                 function_item(s, src, &s->plot.work[n], item, lo, hi);

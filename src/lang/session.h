@@ -118,6 +118,7 @@ typedef struct session {
         session_work_t work[CONFIG_PLOT_ITEMS];
         plot_item_t item[CONFIG_PLOT_ITEMS];
         data_grid_t grid[CONFIG_PLOT_ITEMS];
+        data_curve_t curve[CONFIG_PLOT_ITEMS];
         int32_t grids;
         data_reader_t reader;
         mesh_t mesh;

@@ -1,6 +1,6 @@
 /* curve.h - what a flat curve is to the rest of the program: points that can be asked for, in any order and again.
  *
- * Abscissae never decrease. A point with an undefined y interrupts the curve. */
+ * Abscissae of functions increase, those of data may go any way. A point with an undefined y interrupts the curve. */
 #ifndef CURVE_H
 #define CURVE_H
 

@@ -9,8 +9,9 @@ void data_spec_default(data_spec_t *spec) {
 }
 
 void data_reader_start(data_reader_t *r, const data_spec_t *spec, data_pool_t *pool, data_grid_t *grid,
-                       int32_t grids_max, bool stop_at_e, int32_t first_line) {
-    *r = (data_reader_t){.spec = spec, .pool = pool, .grid = grid, .grids_max = grids_max, .parts = spec->parts};
+                       data_curve_t *curve, int32_t grids_max, bool stop_at_e, int32_t first_line) {
+    *r = (data_reader_t){
+        .spec = spec, .pool = pool, .grid = grid, .curve = curve, .grids_max = grids_max, .parts = spec->parts};
     field_start(&r->field, spec->separator, stop_at_e, first_line);
 }
 
@@ -35,11 +36,19 @@ static bool chosen(int32_t n, int32_t first, int32_t last, int32_t step) {
     return n >= first && n <= last && (n - first) % step == 0;
 }
 
-/* The first point of a data set opens its grid. */
+/* The first point of a data set opens its grid; a curve goes on through all sets. */
 static int open_set(data_reader_t *r) {
     if (r->set_open) return 0;
+    if (r->spec->flat && r->grids) {
+        r->set_open = true;
+        return 0;
+    }
     if (r->grids == r->grids_max) return refuse(r, DATA_SETS, 0);
-    data_grid_start(&r->grid[r->grids++], r->pool);
+    if (r->spec->flat)
+        data_curve_start(r->curve, r->pool);
+    else
+        data_grid_start(&r->grid[r->grids], r->pool);
+    r->grids++;
     r->set_open = true;
     return 0;
 }
@@ -47,6 +56,7 @@ static int open_set(data_reader_t *r) {
 static int close_set(data_reader_t *r) {
     if (!r->set_open) return 0;
     r->set_open = false;
+    if (r->spec->flat) return 0;
     return refused(r, data_grid_finish(&r->grid[r->grids - 1], &r->trouble), 0);
 }
 
@@ -56,6 +66,7 @@ static int end_block(data_reader_t *r) {
     r->block++;
     r->point = r->kept_point = 0;
     if (!r->set_open) return 0;
+    if (r->spec->flat) return data_curve_gap(r->curve) ? refuse(r, DATA_FULL, 0) : 0;
     return refused(r, data_grid_break(&r->grid[r->grids - 1], &r->trouble), 0);
 }
 
@@ -86,6 +97,15 @@ static int point(data_reader_t *r) {
     if (err) return err;
     r->column[0] = num_from_i64(r->set_points++);
     num_t x, y, z;
+    if (r->spec->flat) {
+        if (r->parts == 1)
+            x = num_from_i64(r->kept_point);
+        else
+            x = s->parts ? part_value(r, 0) : r->column[1];
+        y = s->parts ? part_value(r, r->parts - 1) : r->column[r->parts];
+        r->kept_point++;
+        return data_curve_point(r->curve, x, y) ? refuse(r, DATA_FULL, 0) : 0;
+    }
     if (r->parts == 1) {
         x = num_from_i64(r->kept_point);
         y = num_from_i64(r->kept_block);
@@ -105,18 +125,19 @@ static int point(data_reader_t *r) {
 
 static uint64_t wanted_columns(const data_reader_t *r) {
     if (r->spec->parts) return r->spec->wanted;
-    return r->parts == 1 ? 1u << 1 : 1u << 1 | 1u << 2 | 1u << 3;
+    return (2u << r->parts) - 2; /* columns 1 to parts */
 }
 
 /* A complete row `x y z`. */
 static int row(data_reader_t *r) {
+    const data_spec_t *s = r->spec;
     if (!set_is_wanted(r)) {
         r->point++;
         return 0;
     }
     if (!r->parts) {
-        if (r->field.count == 2) return refuse(r, DATA_TWO_COLUMNS, 0);
-        r->parts = r->field.count == 1 ? 1 : 3;
+        if (r->field.count == 2 && !s->flat) return refuse(r, DATA_TWO_COLUMNS, 0);
+        r->parts = r->field.count == 1 ? 1 : s->flat ? 2 : 3;
     }
     uint64_t wanted = wanted_columns(r);
     for (int32_t c = 1; c <= CONFIG_DATA_COLUMNS; c++) {
@@ -220,6 +241,9 @@ int data_reader_finish(data_reader_t *r) {
     }
     int err = end_block(r);
     if (!err) err = close_set(r);
+    if (err) return err;
+    if (r->spec->flat && r->grids) err = data_curve_finish(r->curve);
+    if (err == ERR_FULL) return refuse(r, DATA_FULL, 0);
     if (err) return err;
     return r->grids ? r->grids : ERR_EMPTY;
 }

@@ -3,11 +3,13 @@
  * gnuplot's text formats: isolines as blocks of rows `x y z` separated by a blank line, data sets by two; rows of
  * one column, whose x and y are then the numbers of the point and of the block; `matrix`, whose columns count x and
  * rows count y; `nonuniform matrix`, whose first row holds (after one ignored field) the x and whose first column the
- * y. Every data set that is wanted becomes a grid of its own. */
+ * y. Every data set that is wanted becomes a grid of its own. For `plot` rows are `x y` or `y`, and all data sets
+ * are one curve. */
 #ifndef DATA_READER_H
 #define DATA_READER_H
 
 #include "config.h"
+#include "scene/data_curve.h"
 #include "scene/data_grid.h"
 #include "scene/field.h"
 
@@ -21,12 +23,13 @@ enum data_format { DATA_ROWS, DATA_MATRIX, DATA_NONUNIFORM };
 /* What `using`, `index`, `every` and `matrix` say. */
 typedef struct data_spec {
     enum data_format format;
-    char separator;                        /* 0: blanks or a comma */
-    int32_t parts;                         /* of using: 0 (not given), 1 (z) or 3 */
-    int32_t part[3];                       /* column 1.., USING_... */
-    uint64_t wanted;                       /* bit c: column c is a part: a row without it is an error */
-    bool all;                              /* expressions may look at any column */
-    int32_t first_set, last_set, set_step; /* index: 0, INT32_MAX, 1 */
+    bool flat;       /* points of a curve, not of a surface */
+    char separator;  /* 0: blanks or a comma */
+    int32_t parts;   /* of using: 0 (not given), 1 (z, or y of a curve), 2 (x, y of a curve) or 3 */
+    int32_t part[3]; /* column 1.., USING_... */
+    uint64_t wanted; /* bit c: column c is a part: a row without it is an error */
+    bool all;        /* expressions may look at any column */
+    int32_t first_set, last_set, set_step;                                            /* index: 0, INT32_MAX, 1 */
     int32_t point_step, block_step, first_point, first_block, last_point, last_block; /* every: 1,1,0,0,MAX,MAX */
     /* Computes part number `part` (0..2); reader->column[] holds the row. */
     num_t (*compute)(void *ctx, int32_t part);
@@ -38,7 +41,8 @@ typedef struct data_reader {
     const data_spec_t *spec;
     field_t field;
     data_pool_t *pool;
-    data_grid_t *grid; /* [grids_max], of the caller */
+    data_grid_t *grid;   /* [grids_max], of the caller */
+    data_curve_t *curve; /* of the caller, where spec->flat */
     int32_t grids, grids_max;
     num_t column[CONFIG_DATA_COLUMNS + 1];      /* of the row being read: [1] is the first; [0] the point's number */
     int32_t column_at[CONFIG_DATA_COLUMNS + 1]; /* where it stands in the line */
@@ -58,14 +62,15 @@ typedef struct data_reader {
     int32_t line, at;
 } data_reader_t;
 
-/* Begins reading. grid[grids_max], pool and spec are used until the end. stop_at_e: inline data. first_line: number of
- * the line before the first, for messages. */
+/* Begins reading. grid[grids_max] (or, for a flat spec, curve[0]), pool and spec are used until the end. stop_at_e:
+ * inline data. first_line: number of the line before the first, for messages. */
 void data_reader_start(data_reader_t *r, const data_spec_t *spec, data_pool_t *pool, data_grid_t *grid,
-                       int32_t grids_max, bool stop_at_e, int32_t first_line);
+                       data_curve_t *curve, int32_t grids_max, bool stop_at_e, int32_t first_line);
 /* Takes n characters. Returns 0, or ERR_DATA or ERR_FULL: trouble, line and at say why and where. Once stopped is set
  * the rest is not looked at. */
 int data_reader_feed(data_reader_t *r, const char *text, size_t n);
-/* The end of the data. Returns the number of grids, or an error; ERR_EMPTY when there was no point at all. */
+/* The end of the data. Returns the number of grids (1 for a curve), or an error; ERR_EMPTY when there was no point at
+ * all. */
 int data_reader_finish(data_reader_t *r);
 
 #endif

@@ -19,13 +19,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     static packed_t memory[POOL];
     static data_grid_t grid[GRIDS];
     static data_reader_t reader;
+    static data_curve_t curve;
     data_pool_t pool = {memory, 0, data[0] & 1 ? POOL : 16};
     data_spec_t spec;
     data_spec_default(&spec);
     spec.format = (enum data_format)(data[0] / 2 % 3);
     spec.separator = data[0] & 8 ? ';' : '\0';
     if (data[0] & 16) {
-        spec.parts = data[1] & 1 ? 1 : 3;
+        spec.parts = data[1] & 1 ? 1 : data[0] & 128 ? 2 : 3;
         for (int k = 0; k < 3; k++) {
             spec.part[k] = (data[1] >> (2 * k + 1) & 3) + k - 2;
             if (spec.part[k] > 0) spec.wanted |= (uint64_t)1 << spec.part[k];
@@ -44,7 +45,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         spec.block_step = 1 + (data[2] >> 4 & 1);
         spec.first_point = data[2] >> 5 & 1;
     }
-    data_reader_start(&reader, &spec, &pool, grid, GRIDS, data[0] & 64, 0);
+    spec.flat = data[0] & 128 && spec.format == DATA_ROWS && spec.parts < 3;
+    data_reader_start(&reader, &spec, &pool, grid, &curve, GRIDS, data[0] & 64, 0);
     size_t chunk = 1 + data[3] % 32;
     int err = 0;
     for (size_t at = 4; !err && at < size; at += chunk)
@@ -54,6 +56,18 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         return 0;
     }
     int n = data_reader_finish(&reader);
+    if (spec.flat && n > 0) {
+        curve_t c;
+        num_t extent[2];
+        data_curve_get(&curve, &c, extent);
+        if (c.n < 2) abort();
+        for (int32_t i = 0; i < c.n; i++) {
+            num_t x = c.x_of(c.ctx, i);
+            if (num_cmp(x, extent[0]) < 0 || num_cmp(x, extent[1]) > 0) abort();
+            c.y_of(c.ctx, i);
+        }
+        return 0;
+    }
     for (int k = 0; k < n; k++) {
         data_view_t v;
         surface_t s;

@@ -302,6 +302,28 @@ static void a_full_pool_is_an_ordinary_error(void **state) {
     assert_int_equal(fixture_feed(f, "splot x*y"), 0);
 }
 
+static void curves_of_data(void **state) {
+    fixture_t *f = *state;
+    fixture_file(f, 0, "f", "# x y\n0 1 9\n2 NaN 9\n1 3 9\n\n5 4 9\n\n\n-1 7 8\n");
+    assert_int_equal(fixture_feed(f, "set samples 5; plot 'f' using 1:($2*2) with lines, x**2, 'f' u 2"), 0);
+    assert_int_equal(f->kind, PLOT_CURVES);
+    assert_int_equal(f->items, 3);
+    static const double x[] = {0, 0, 1, 1, 5, 5, -1}, y[] = {2, NAN, 6, NAN, 8, NAN, 14};
+    assert_int_equal(f->item[0].nx, 7);
+    for (int i = 0; i < 7; i++) assert_true(f->x[i] == x[i] && (f->z[i] == y[i] || (isnan(f->z[i]) && isnan(y[i]))));
+    int p = f->item[1].first; /* beside data, over their extent */
+    assert_true(f->x[p] == -1 && f->x[p + 4] == 5 && f->z[p + 4] == 25);
+    p = f->item[2].first; /* counted within each block */
+    assert_true(f->x[p] == 0 && f->z[p] == 1 && f->x[p + 2] == 2 && f->z[p + 2] == 3);
+    assert_int_equal(fixture_feed(f, "plot '-', '-'\n1\n4\ne\n3 3\n4 5\n"), 0);
+    assert_int_equal(session_end(&f->session), 0);
+    assert_true(f->x[1] == 1 && f->z[1] == 4 && f->x[3] == 4 && f->z[3] == 5);
+    assert_int_equal(fixture_feed(f, "plot '-'\n1 x\n"), ERR_DATA);
+    assert_int_equal(f->session.error.column, 3);
+    session_init(&f->session, &f->port, f->pool, 3 * 16);
+    assert_int_equal(fixture_feed(f, "plot 'f'"), ERR_FULL);
+}
+
 static void terrains_are_meshes(void **state) {
     fixture_t *f = *state;
     fixture_file(f, 0, "t.obj",
@@ -359,7 +381,7 @@ static void reading_is_fast(void **state) {
     data_reader_t reader;
     data_spec_default(&spec);
     clock_t start = clock();
-    data_reader_start(&reader, &spec, &pool, &grid, 1, false, 0);
+    data_reader_start(&reader, &spec, &pool, &grid, NULL, 1, false, 0);
     for (size_t at = 0; at < n; at += CONFIG_READ_CHUNK) {
         size_t left = n - at;
         assert_int_equal(data_reader_feed(&reader, text + at, left < CONFIG_READ_CHUNK ? left : CONFIG_READ_CHUNK), 0);
@@ -392,6 +414,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(inline_data, setup, teardown),
         cmocka_unit_test_setup_teardown(several_sets_are_several_surfaces, setup, teardown),
         cmocka_unit_test_setup_teardown(a_full_pool_is_an_ordinary_error, setup, teardown),
+        cmocka_unit_test_setup_teardown(curves_of_data, setup, teardown),
         cmocka_unit_test_setup_teardown(terrains_are_meshes, setup, teardown),
         cmocka_unit_test(reading_is_fast),
     };
