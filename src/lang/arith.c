@@ -1,18 +1,20 @@
 /* arith.c - see arith.h. Every rule here was checked against gnuplot 5.4 (tests/unit/test_expr.c has the cases). */
 #include "lang/arith.h"
 #include "num/func.h"
+#include "num/num_double.h"
 
 const char ARITH_UNDEFINED[] = "undefined value";
 static const char NOT_BOOLEAN[] = "non-integer passed to boolean operator";
 
 /* The result of real arithmetic on defined operands. */
 static const char *store(value_t *a, num_t r) {
+    r = num_double(r);
     *a = value_real(r);
     return r.undef ? ARITH_UNDEFINED : NULL;
 }
 
-/* Powers up to this are products: within 256 ulp of 2^-62, still better than a double. */
-enum { PRODUCT_POWER = 256 };
+/* Powers up to this are products: within 64 ulp of 2^-62, which is 1/8 of a double's. */
+enum { PRODUCT_POWER = 64 };
 
 static bool is_small(int64_t n) {
     return n >= -PRODUCT_POWER && n <= PRODUCT_POWER;
@@ -54,14 +56,14 @@ static const char *integer_binary(uint8_t op, value_t *a, int64_t b) {
     switch (op) {
     case OP_ADD:
         r = (int64_t)((uint64_t)x + (uint64_t)b);
-        if (((x ^ r) & (b ^ r)) < 0) return store(a, num_add(num_from_i64(x), num_from_i64(b)));
+        if (((x ^ r) & (b ^ r)) < 0) return store(a, num_add(value_num(value_int(x)), value_num(value_int(b))));
         break;
     case OP_SUB:
         r = (int64_t)((uint64_t)x - (uint64_t)b);
-        if (((x ^ b) & (x ^ r)) < 0) return store(a, num_sub(num_from_i64(x), num_from_i64(b)));
+        if (((x ^ b) & (x ^ r)) < 0) return store(a, num_sub(value_num(value_int(x)), value_num(value_int(b))));
         break;
     case OP_MUL:
-        if (!multiply(x, b, &r)) return store(a, num_mul(num_from_i64(x), num_from_i64(b)));
+        if (!multiply(x, b, &r)) return store(a, num_mul(value_num(value_int(x)), value_num(value_int(b))));
         break;
     case OP_DIV:
     case OP_MOD:
@@ -170,13 +172,13 @@ const char *arith_binary(uint8_t op, value_t *a, value_t b) {
     }
     switch (op) {
     case OP_ADD:
-        return store(a, num_add(x, y));
+        return store(a, num_double_add(x, y));
     case OP_SUB:
-        return store(a, num_sub(x, y));
+        return store(a, num_double_add(x, num_neg(y)));
     case OP_MUL:
-        return store(a, num_mul(x, y));
+        return store(a, num_double_mul(x, y));
     default:
-        return store(a, num_div(x, y));
+        return store(a, num_double_div(x, y));
     }
 }
 

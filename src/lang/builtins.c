@@ -6,8 +6,10 @@
 #include "lang/builtins.h"
 #include "lang/arith.h"
 #include "num/func.h"
+#include "num/num_double.h"
 
 static const char *give(value_t *out, num_t r) {
+    r = num_double(r);
     *out = value_real(r);
     return r.undef ? ARITH_UNDEFINED : NULL;
 }
@@ -19,7 +21,7 @@ static const char *fn_abs(lang_t *l, value_t *a, int n) {
 
 static const char *fn_real(lang_t *l, value_t *a, int n) {
     (void)l, (void)n;
-    if (a->kind == VALUE_INT) *a = value_real(num_from_i64(a->m));
+    if (a->kind == VALUE_INT) *a = value_real(value_num(*a));
     return NULL;
 }
 
@@ -111,8 +113,8 @@ static const char *fn_rand(lang_t *l, value_t *a, int n) {
     l->seed[1] = a1;
     int32_t z = a0 - a1;
     if (z < 1) z += M1 - 1;
-    /* gnuplot's factor, 4.656613057e-10, a little less than 1 / M1: the result is inside ]0, 1[. */
-    return give(a, num_mul(num_from_i64(z), num_from_decimal(4656613057u, -19)));
+    /* gnuplot's factor, the double 4.656613057e-10, a little less than 1 / M1: the result is inside ]0, 1[. */
+    return give(a, num_double_mul(num_from_i64(z), (num_t){0x4000002a68dfdc00, -93, false}));
 }
 
 static const char *fn_column(lang_t *l, value_t *a, int n) {
@@ -154,7 +156,7 @@ const builtin_t BUILTINS[] = {
     {"sgn", 1, 1, 0, NULL, fn_sgn},
     {"sin", 1, 1, 0, func_sin, NULL},
     {"sinh", 1, 1, 0, func_sinh, NULL},
-    {"sqrt", 1, 1, 0, num_sqrt, NULL},
+    {"sqrt", 1, 1, 0, num_double_sqrt, NULL},
     {"tan", 1, 1, 0, func_tan, NULL},
     {"tanh", 1, 1, 0, func_tanh, NULL},
 };

@@ -141,7 +141,7 @@ static void meet_real(compiler_t *c) {
     const uint8_t *code = c->buf + start;
     value_t v = code[0] == OP_INT8 ? value_int(code_int8(code + 1)) : code_int64(code + 1);
     uint32_t scratch = c->len;
-    emit_constant(c, value_real(num_from_i64(v.m)));
+    emit_constant(c, value_real(value_num(v)));
     uint32_t len = c->len - scratch;
     memcpy(fresh, c->buf + scratch, len);
     memmove(c->buf + start + len, c->buf + end, behind);
@@ -183,6 +183,17 @@ static bool emit_small_power(compiler_t *c) {
         emit2(c, OP_POWI, k & 255);
     c->depth--;
     operated(c, 1, true, is_real(c, 0));
+    return true;
+}
+
+/* Division by a power of two is multiplication by another, exactly and sooner. */
+static bool invert_constant(compiler_t *c) {
+    if (!is_constant(c, 0) || c->len > room(c)) return false;
+    uint8_t *code = c->buf + c->operand[c->depth - 1].start;
+    int e = code_int8(code + 3);
+    /* 2^62 * 2^e; the short form holds exponents from -128 on */
+    if (code[0] != OP_REAL_SHORT || code_u16(code + 1) != 0x4000 || e > 4) return false;
+    code[3] = (uint8_t)(-124 - e);
     return true;
 }
 
@@ -245,6 +256,7 @@ static void reduce_one(compiler_t *c) {
         if (p.a == OP_POW && emit_small_power(c)) break;
         if (p.a == OP_MUL && emit_square(c)) break;
         if (p.a <= OP_DIV || (p.a >= OP_LT && p.a <= OP_NE)) meet_real(c);
+        if (p.a == OP_DIV && invert_constant(c)) p.a = OP_MUL;
         emit(c, p.a);
         operated(c, 2, true, (p.a <= OP_DIV || p.a == OP_POW) && (is_real(c, 0) || is_real(c, 1)));
         break;

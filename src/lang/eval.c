@@ -6,7 +6,7 @@
 #include "lang/arith.h"
 #include "lang/builtins.h"
 #include "lang/expr.h"
-#include "num/num_fast.h"
+#include "num/num_double.h"
 
 /* Values go to and from the stack field by field: a load that spans two stores still under way, as that of a whole
  * value would, stalls a desktop core for longer than an addition takes (measured: 3 ns an operator). */
@@ -124,11 +124,11 @@ int expr_eval(lang_t *l, const expr_t *e, const num_t *args, value_t *out) {
             top->m = -top->m;
             /* fall through */
         case OP_ADD:
-            BINARY_REAL(num_fast_add);
+            BINARY_REAL(num_double_add);
         case OP_MUL:
-            BINARY_REAL(num_fast_mul);
+            BINARY_REAL(num_double_mul);
         case OP_DIV:
-            BINARY_REAL(num_div);
+            BINARY_REAL(num_double_div);
         case OP_LT:
             COMPARE_REAL(<);
         case OP_LE:
@@ -153,7 +153,7 @@ int expr_eval(lang_t *l, const expr_t *e, const num_t *args, value_t *out) {
             break;
         case OP_SQUARE:
             if (NUM_FAST_RARE(top->kind != VALUE_REAL)) goto unary;
-            put_real(top, num_fast_mul(real_of(top), real_of(top)));
+            put_real(top, num_double_mul(real_of(top), real_of(top)));
             if (NUM_FAST_RARE(top->kind != VALUE_REAL)) return end_undefined(l, out);
             break;
         case OP_NEG:
@@ -205,9 +205,9 @@ int expr_eval(lang_t *l, const expr_t *e, const num_t *args, value_t *out) {
                     pc++;
                     break;
                 }
-                put_real(top, num_from_i64(top->m));
+                put_real(top, value_num(*top));
             }
-            put_real(top, BUILTINS[*pc++].real1(real_of(top)));
+            put_real(top, num_double(BUILTINS[*pc++].real1(real_of(top))));
             if (NUM_FAST_RARE(top->kind != VALUE_REAL)) return end_undefined(l, out);
             break;
         case OP_FUNC:

@@ -38,7 +38,7 @@ static uint32_t scan_integer(const lexer_t *lx, uint32_t i, int base, value_t *v
         else
             big = num_add(num_mul(big, num_from_i64(base)), num_from_i64(d));
     }
-    *v = fits ? value_int((int64_t)n) : value_real(big);
+    *v = fits ? value_int((int64_t)n) : value_real(num_double(big));
     return i;
 }
 
@@ -74,7 +74,7 @@ static uint32_t scan_real(const lexer_t *lx, uint32_t i, value_t *v) {
         }
         exp10 += minus ? -e : e;
     }
-    *v = value_real(num_from_decimal(n, exp10));
+    *v = value_real(num_double(num_from_decimal(n, exp10)));
     return i;
 }
 

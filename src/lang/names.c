@@ -19,7 +19,7 @@ void names_reset(lang_t *l) {
     l->column_ctx = NULL;
     l->fault.code = 0;
     lang_error_t ignored; /* both fit into an empty table */
-    names_set(l, "pi", 2, value_real(func_pi()), &ignored);
+    names_set(l, "pi", 2, value_real(num_double(func_pi())), &ignored);
     names_set(l, "NaN", 3, value_undef(), &ignored);
 }
 

@@ -1,14 +1,15 @@
 /* value.h - what an expression yields: an integer, a real, or nothing.
  *
  * As in gnuplot, integers are 64 bits wide and stay integers under + - * / % ** and the bit operators; a
- * result that does not fit becomes real. VALUE_UNDEF stands for gnuplot's NaN and for every undefined result.
+ * result that does not fit becomes real. Reals are what a double can hold, see
+ * num_double.h. VALUE_UNDEF stands for gnuplot's NaN and for every undefined result.
  *
  * 16 bytes. A real value holds its num_t field for field (VALUE_UNDEF being num_t's undef).
  */
 #ifndef VALUE_H
 #define VALUE_H
 
-#include "num/num.h"
+#include "num/num_double.h"
 #include <stddef.h>
 #include <string.h>
 
@@ -34,9 +35,10 @@ static inline value_t value_undef(void) {
 static inline value_t value_real(num_t n) {
     return (value_t){n.m, n.e, n.undef};
 }
-/* The real number that v stands for: an integer is converted, nothing stays undefined. */
+/* The real number that v stands for: an integer becomes the nearest double, nothing stays
+ * undefined. */
 static inline num_t value_num(value_t v) {
-    if (v.kind == VALUE_INT) return num_from_i64(v.m);
+    if (v.kind == VALUE_INT) return num_double(num_from_i64(v.m));
     return (num_t){v.m, v.e, v.kind == VALUE_UNDEF};
 }
 

@@ -3,10 +3,12 @@
  * The law is the acceptance of the language: values between 1e-6 and 1e6 agree to 1e-6 relative (or 1e-9 absolute),
  * integers stay integers on both sides, and what is an error here is one there. Two things are allowed for. gnuplot
  * computes with doubles: where a change of every constant and function by 1e-13 changes our own answer, the expression
- * is ill-conditioned and proves nothing; those are counted and must be few. And gnuplot goes on with complex
- * numbers where we have an undefined value, so the generator keeps arguments inside of the real domains.
+ * is ill-conditioned and proves nothing; those are counted and must be very few. And gnuplot goes on with complex
+ * numbers where we have an undefined value, so the generator keeps arguments inside of the real domains. Nor have we a
+ * negative zero.
  *
  * Repeat one: the seed is fixed, the failing expression is printed. */
+#include <float.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -156,7 +158,12 @@ static void write_function(writer_t *w, int depth) {
     uint32_t which = draw(sizeof functions / sizeof functions[0] + 3);
     if (w->perturb) put(w, w->perturb > 0 ? "(1.0000000000001*" : "(.9999999999999*");
     if (which < sizeof functions / sizeof functions[0]) {
-        put(w, "%s", functions[which].open);
+        const char *open = functions[which].open;
+        bool inverse = strncmp(open, "asin(", 5) == 0 || strncmp(open, "acos(", 5) == 0;
+        if (w->perturb && inverse)
+            put(w, "%.5s.9999999999999*%s", open, open + 5);
+        else
+            put(w, "%s", open);
         write_expression(w, depth - 1);
         put(w, "%s", functions[which].close);
     } else if (which % 3 == 0) {
@@ -207,8 +214,10 @@ static void write_expression(writer_t *w, int depth) {
         put(w, " -");
         write_expression(w, depth - 1);
         if (draw(2)) put(w, "**%u", draw(4));
-    } else {
+    } else { /* beyond 2^53 gnuplot rounds an integer when it meets a real; we do not */
+        put(w, "(");
         write_integer(w, depth);
+        put(w, " %% 65537)");
     }
 }
 
@@ -338,6 +347,7 @@ static void prints_agree_with_gnuplot(void **state) {
             complex++; /* and infinities: no value here */
             continue;
         }
+        if (fabs(atof(mine)) > DBL_MAX) continue; /* our range is a little wider */
         if (agree(mine, theirs)) {
             if (mine[0])
                 compared++;
@@ -357,7 +367,7 @@ static void prints_agree_with_gnuplot(void **state) {
                   compared, undefined, ill, complex);
     assert_int_equal(wrong, 0);
     assert_true(compared > EXPRESSIONS * 8 / 10);
-    assert_true(ill < EXPRESSIONS / 50);
+    assert_true(ill < EXPRESSIONS / 1000);
 }
 
 static void literals_print_the_same_text(void **state) {

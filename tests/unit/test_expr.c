@@ -116,7 +116,8 @@ static void integers_are_gnuplots(void **state) {
         {"7/2*2.0", "6.0"},
         {"7/2.", "3.5"},
         {"1==1.0", "1"},
-        {"9007199254740993 == 9007199254740992.0", "0"}, /* gnuplot compares doubles and says 1 */
+        {"9007199254740993 == 9007199254740992.0", "1"}, /* doubles are compared */
+        {"9007199254740993 - 9007199254740992", "1"},
         {0},
     };
     check_prints(cases);
@@ -217,7 +218,7 @@ static void functions_keep_kinds(void **state) {
         {"4**0.5", "2.0"},
         {"2**1.5", "2.82842712474619"},
         {"2.0**10.0", "1024.0"},
-        {"1.0001**10000", "2.71814592682523"},
+        {"1.0001**10000", "2.71814592682493"},
         {0},
     };
     check_prints(cases);
@@ -280,6 +281,34 @@ static void numbers_print_as_in_gnuplot(void **state) {
         {0},
     };
     check_prints(cases);
+}
+
+/* Where a last bit decides, it is the double's. */
+static void arithmetic_rounds_like_doubles(void **state) {
+    (void)state;
+    static const char *const cases[][2] = {
+        {"int(4.35*100)", "434"},
+        {"0.1+0.2==0.3", "0"},
+        {"(0.1+0.2-0.3)*1e17", "5.55111512312578"},
+        {"1-0.9-0.1", "-2.77555756156289e-17"},
+        {"1e16+1-1e16", "0.0"},
+        {"floor(log(8)/log(2))", "3"},
+        {"int(log10(1000))", "3"},
+        {"int(asin(sin(1)))", "1"},
+        {"sqrt(49)==7", "1"},
+        {"sin(pi)*1e16", "1.22464679914735"},
+        {"cos(pi/2)*1e16", "0.612323399573677"},
+        {"tan(pi/2)", "1.63312393531954e+16"},
+        {"3.3**7.7", "9830.08644634903"},
+        {"exp(1)==2.718281828459045", "1"},
+        {"sin(1)==0.8414709848078965", "1"},
+        {"int(3.999999999999999999)", "4"},
+        {"1e308*1e-308", "1.0"},
+        {0},
+    };
+    check_prints(cases);
+    assert_error("1e308*10", ERR_VALUE, 1, "undefined value");
+    assert_print("1e-320/10000", "0.0");
 }
 
 static void mistakes_are_reported(void **state) {
@@ -379,7 +408,7 @@ static void recursion_has_a_limit(void **state) {
     define("fac(n) = n < 2 ? 1 : n*fac(n-1)");
     assert_print("fac(20)", "2432902008176640000");
     assert_print("fac(25)", "1.5511210043331e+25");
-    assert_print("fac(100)", "9.33262154439442e+157");
+    assert_print("fac(100)", "9.33262154439441e+157"); /* 100! is more accurate */
     define("deep(n) = n < 1 ? 0 : deep(n-1) + 1");
     assert_print("deep(240)", "240");
     assert_error("deep(1000)", ERR_FULL, 1, "recursion too deep in function: deep");
@@ -670,6 +699,7 @@ int main(void) {
         cmocka_unit_test_setup(functions_keep_kinds, setup),
         cmocka_unit_test_setup(nan_travels, setup),
         cmocka_unit_test_setup(numbers_print_as_in_gnuplot, setup),
+        cmocka_unit_test_setup(arithmetic_rounds_like_doubles, setup),
         cmocka_unit_test_setup(mistakes_are_reported, setup),
         cmocka_unit_test_setup(user_functions, setup),
         cmocka_unit_test_setup(recursion_has_a_limit, setup),

@@ -1,0 +1,73 @@
+/* num_double.h - arithmetic that rounds where an IEEE double does: to 53 bits, ties to even.
+ *
+ * The expression language computes with these, so that it agrees with gnuplot not only to some digits but where it
+ * shows: 4.35*100 truncates to 434, log(8)/log(2) is 3, 0.1 + 0.2 == 0.3 is false, floor(x) steps at the same grid
+ * lines. The extra bits of num.h would be more accurate and now and then on the other side of a step.
+ *
+ * Operands are any num_t; sums, products, quotients and roots of doubles are the doubles that IEEE 754 asks for. What
+ * functions return is rounded twice, to their 63 bits and by num_double: wrong in the last bit about once in 500, as
+ * libm is. Overflow (from 2^1024 on) is undefined, below 2^-1074 is zero; in between, subnormal results keep all
+ * 53 bits. No negative zero. Context: any. */
+#ifndef NUM_DOUBLE_H
+#define NUM_DOUBLE_H
+
+#include "num/num_fast.h"
+
+/* The exponents e for which m * 2^e, |m| in [2^62, 2^63), is in the range of doubles. */
+#define NUM_DOUBLE_E_MIN (-1074 - 62)
+#define NUM_DOUBLE_E_MAX (1024 - 63)
+
+_Static_assert(NUM_FAST_E_MIN <= NUM_DOUBLE_E_MIN && NUM_FAST_E_MAX >= NUM_DOUBLE_E_MAX, "num.h reaches further");
+
+static inline num_t num_double_make(int64_t m, int32_t e) {
+    if (NUM_FAST_RARE((uint32_t)(e - NUM_DOUBLE_E_MIN) > (uint32_t)(NUM_DOUBLE_E_MAX - NUM_DOUBLE_E_MIN)))
+        return (num_t){0, 0, e > 0};
+    return (num_t){m, e, false};
+}
+
+/* sign(s) * u * 2^e, u in [2^63, 2^64), whose lowest bit also stands for everything below it. */
+static inline num_t num_double_round(uint64_t u, int32_t e, int64_t s) {
+    uint64_t r = (u + 0x3FF + (u >> 11 & 1)) & ~(uint64_t)0x7FF; /* wraps to 0 when it carries into 2^64 */
+    if (NUM_FAST_RARE(r == 0)) return num_double_make(ints_with_sign((uint64_t)1 << 62, s), e + 2);
+    return num_double_make(ints_with_sign(r >> 1, s), e + 1);
+}
+
+/* The nearest double. */
+static inline num_t num_double(num_t a) {
+    if (a.m == 0) return a;
+    return num_double_round(ints_abs64(a.m) << 1, a.e - 1, a.m);
+}
+
+/* As num_fast_add, which has the reasons, but for the rounding. */
+static inline num_t num_double_add(num_t a, num_t b) {
+    if (NUM_FAST_RARE(a.m == 0 || b.m == 0)) return num_fast_add_rare(a, b);
+    int32_t d = a.e - b.e, e = d < 0 ? b.e : a.e;
+    int64_t big = d < 0 ? b.m : a.m, small = d < 0 ? a.m : b.m;
+    d = d < 0 ? -d : d;
+    if (NUM_FAST_RARE(d > 63)) return (num_t){big, e, false};
+    int64_t sign = big >> 63, S = (small ^ sign) - sign;
+    uint64_t u = ints_abs64(big) + (uint64_t)(S >> d), lo = ((uint64_t)S << 1) << (63 - d);
+    int64_t flip = (S & (int64_t)u) >> 63;
+    u = (u ^ (uint64_t)flip) - (uint64_t)flip;
+    sign ^= flip;
+    if (NUM_FAST_RARE(u == 0)) return num_double(num_fast_normal(lo, e - 64, sign)); /* cancelled: d <= 1 */
+    int n = ints_clz64(u);
+    u = u << n | (lo >> 1) >> (63 - n);
+    u |= lo << n != 0;
+    return num_double_round(u, e - n, sign);
+}
+
+static inline num_t num_double_mul(num_t a, num_t b) {
+    if (NUM_FAST_RARE(a.m == 0 || b.m == 0)) return num_fast_mul_rare(a, b);
+    wide_u_t p = wide_mul_u64(ints_abs64(a.m) << 1, ints_abs64(b.m) << 1); /* its top is at bit 126 or 127 */
+    int t = (int)(p.hi >> 63) ^ 1;
+    uint64_t u = p.hi << t | (p.lo >> 63 & (uint64_t)t);
+    u |= p.lo << t != 0;
+    return num_double_round(u, a.e + b.e + 62 - t, a.m ^ b.m);
+}
+
+/* As num_div and num_sqrt. */
+num_t num_double_div(num_t a, num_t b);
+num_t num_double_sqrt(num_t a);
+
+#endif
