@@ -16,9 +16,11 @@ void *picture_kernel_memory(picture_t *p, size_t *bytes) {
     return arena_take(&p->arena, *bytes);
 }
 
-/* gnuplot's xyplane: how far the base lies below the lowest z, as a part of the z range, or at a height of its own. */
-static void add_base_plane(const settings_t *s, num_t *lo, num_t *hi) {
-    num_t base = s->xyplane_at ? s->xyplane : num_sub(*lo, num_mul(s->xyplane, num_sub(*hi, *lo)));
+/* gnuplot's xyplane: how far the base lies below where the z axis begins, as a part of its range, or at a height of its
+ * own. */
+static void add_base_plane(const settings_t *s, bool reverse, num_t *lo, num_t *hi) {
+    num_t below = num_mul(s->xyplane, num_sub(*hi, *lo));
+    num_t base = s->xyplane_at ? s->xyplane : reverse ? num_add(*hi, below) : num_sub(*lo, below);
     if (num_cmp(base, *lo) < 0) *lo = base;
     if (num_cmp(base, *hi) > 0) *hi = base;
 }
@@ -32,10 +34,11 @@ int picture_camera(picture_t *p, const num_t lo[3], const num_t hi[3]) {
         box.hi[k] = hi[k];
         box.reverse[k] = range[k]->reverse;
         if (s->view.from) continue;
-        int err = autoscale_range(range[k], &box.lo[k], &box.hi[k]);
+        int err = autoscale_range(range[k], s->tics & SETTINGS_TICS_X << k, &box.lo[k], &box.hi[k]);
         if (err) return err;
     }
-    if (!s->view.from && s->base) add_base_plane(s, &box.lo[2], &box.hi[2]);
+    bool base = s->border_base || (s->tics & (SETTINGS_TICS_X | SETTINGS_TICS_Y));
+    if (!s->view.from && base) add_base_plane(s, box.reverse[2], &box.lo[2], &box.hi[2]);
     int err = camera_setup(&p->camera, s, &box);
     if (err) return err;
     if (p->hooks && p->hooks->begin) p->hooks->begin(p->hooks->ctx, &p->camera);

@@ -134,17 +134,17 @@ static bool is_lines_style(lexer_t lx) {
     return session_at_end(&lx);
 }
 
-/* The part of the base plane that option `id` of gnuplot is about, or 0. */
-static uint8_t base_of(uint8_t id) {
+/* The tics that option `id` of gnuplot is about, or 0. */
+static uint8_t tics_of(uint8_t id) {
     switch (id) {
-    case SET_BORDER:
-        return BASE_BORDER;
     case SET_XTICS:
-        return BASE_XTICS;
+        return SETTINGS_TICS_X;
     case SET_YTICS:
-        return BASE_YTICS;
+        return SETTINGS_TICS_Y;
+    case SET_ZTICS:
+        return SETTINGS_TICS_Z;
     case SET_TICS:
-        return BASE_XTICS | BASE_YTICS;
+        return SETTINGS_TICS_ALL;
     default:
         return 0;
     }
@@ -157,10 +157,7 @@ static int set_border(session_t *s, lexer_t *lx) {
         int err = expr_number(&s->lang, lx, &bits, &s->error);
         if (err) return err;
     }
-    if (num_to_fixed(bits, 0, NULL) & 15)
-        s->settings.base |= BASE_BORDER;
-    else
-        s->settings.base &= (uint8_t)~BASE_BORDER;
+    s->settings.border_base = (num_to_fixed(bits, 0, NULL) & 15) != 0;
     return 0;
 }
 
@@ -221,7 +218,8 @@ int set_command(session_t *s, lexer_t *lx) {
     case SET_TICS:
     case SET_XTICS:
     case SET_YTICS:
-        set->base |= base_of(words_set[index].id);
+    case SET_ZTICS:
+        set->tics |= tics_of(words_set[index].id);
         if (words_set[index].id == SET_BORDER) {
             int err = set_border(s, lx);
             if (err) return err;
@@ -246,8 +244,9 @@ int set_unset_command(session_t *s, lexer_t *lx) {
     settings_t fresh;
     lexer_next(lx);
     uint8_t id = words_set[index].id;
-    if (id == SET_IGNORED || id == SET_STYLE || id == SET_PARAMETRIC || base_of(id)) {
-        set->base &= (uint8_t)~base_of(id);
+    if (id == SET_IGNORED || id == SET_STYLE || id == SET_PARAMETRIC || id == SET_BORDER || tics_of(id)) {
+        set->tics &= (uint8_t)~tics_of(id);
+        if (id == SET_BORDER) set->border_base = false;
         if (id == SET_PARAMETRIC) s->parametric = false;
         session_warn_once(s, s->warned_set, index, "unset ", &word, " is ignored");
         session_skip(lx);

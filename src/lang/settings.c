@@ -13,7 +13,8 @@ void settings_default(settings_t *s) {
     s->view.rot_z = num_from_i64(30);
     s->view.scale = s->view.zscale = one;
     s->xyplane = num_ldexp(one, -1);
-    s->base = BASE_ALL;
+    s->border_base = true;
+    s->tics = SETTINGS_TICS_ALL;
     s->paper.width_um = 297000;
     s->paper.height_um = 210000;
     s->paper.margin_um = 10000;

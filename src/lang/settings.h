@@ -19,7 +19,7 @@ enum hidden_mode {
     HIDDEN_NONE,
 };
 
-enum settings_base { BASE_BORDER = 1, BASE_XTICS = 2, BASE_YTICS = 4, BASE_ALL = 7 };
+enum settings_tics { SETTINGS_TICS_X = 1, SETTINGS_TICS_Y = 2, SETTINGS_TICS_Z = 4, SETTINGS_TICS_ALL = 7 };
 
 typedef struct settings {
     range_t x, y, z;       /* autoscaled x, y of a function plot are [-10:10] */
@@ -37,8 +37,10 @@ typedef struct settings {
     } view;
     bool xyplane_at; /* set xyplane at Z; otherwise relative: */
     num_t xyplane;   /* Z, or the fraction of the z range below it: 0.5 (set ticslevel is the same) */
-    uint8_t base; /* enum settings_base: what gnuplot would draw on the base plane. If nothing, the plane does not count
-                     for the axes' box either; nothing of it is drawn here */
+    /* What gnuplot would draw on the base plane and along the axes. Nothing of it is drawn here, but an axis with tics
+     * is autoscaled to whole ones, and a base plane with nothing on it does not count for the box. */
+    bool border_base; /* any of the border's four lower edges */
+    uint8_t tics;     /* enum settings_tics */
     struct {
         int32_t width_um, height_um, margin_um; /* A4 landscape, margin 10 mm */
     } paper;

@@ -218,7 +218,7 @@ const word_t words_set[] = {
     {"x2ti$cs", SET_IGNORED},
     {"yti$cs", SET_YTICS},
     {"y2ti$cs", SET_IGNORED},
-    {"zti$cs", SET_IGNORED},
+    {"zti$cs", SET_ZTICS},
     {"cbti$cs", SET_IGNORED},
     {"xdti$cs", SET_IGNORED},
     {"x2dti$cs", SET_IGNORED},

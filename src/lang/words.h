@@ -60,10 +60,11 @@ enum set_id {
     SET_FUNCTIONS, /* show only */
     SET_VERSION,   /* show only */
     SET_IGNORED,
-    SET_BORDER, /* this and the next three: not drawn, but they decide whether there is a base plane */
+    SET_BORDER, /* this and the next four: not drawn, but they count for the box of the axes */
     SET_TICS,
     SET_XTICS,
     SET_YTICS,
+    SET_ZTICS,
 };
 extern const word_t words_set[];
 #define WORDS_SET_MAX 192

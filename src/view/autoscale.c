@@ -32,7 +32,7 @@ static num_t round_up(num_t v, num_t step) {
     return num_mul(num_ceil(num_div(v, step)), step);
 }
 
-int autoscale_range(const range_t *set, num_t *lo, num_t *hi) {
+int autoscale_range(const range_t *set, bool tics, num_t *lo, num_t *hi) {
     if (!set->auto_lo) *lo = set->lo;
     if (!set->auto_hi) *hi = set->hi;
     if (lo->undef || hi->undef) return ERR_VALUE;
@@ -43,6 +43,7 @@ int autoscale_range(const range_t *set, num_t *lo, num_t *hi) {
         if (set->auto_lo) *lo = num_sub(*lo, widen);
         if (set->auto_hi) *hi = num_add(*hi, widen);
     }
+    if (!tics) return 0;
     num_t step = autoscale_step(num_sub(*hi, *lo));
     if (set->auto_lo) *lo = round_down(*lo, step);
     if (set->auto_hi) *hi = round_up(*hi, step);

@@ -80,21 +80,21 @@ static void defaults_are_gnuplots(void **state) {
     assert_string_equal(s->title, "");
 }
 
-/* What gnuplot draws on the base plane decides whether the plane is part of the box (seen in its pictures). */
-static void base_plane(void **state) {
+/* What gnuplot draws on the base plane and the axes decides about the box (seen in its pictures). */
+static void border_and_tics(void **state) {
     fixture_t *f = *state;
     const settings_t *s = settings(f);
-    assert_int_equal(s->base, BASE_ALL);
+    assert_true(s->border_base && s->tics == SETTINGS_TICS_ALL);
     assert_int_equal(fixture_feed(f, "unset border; unset xtics"), 0);
-    assert_int_equal(s->base, BASE_YTICS);
-    assert_int_equal(fixture_feed(f, "unset tics; set border 16"), 0);
-    assert_int_equal(s->base, 0);
+    assert_true(!s->border_base && s->tics == (SETTINGS_TICS_Y | SETTINGS_TICS_Z));
+    assert_int_equal(fixture_feed(f, "unset tics; set border 16; set ztics"), 0);
+    assert_true(!s->border_base && s->tics == SETTINGS_TICS_Z);
     assert_int_equal(fixture_feed(f, "set border 4095 lw 2"), 0);
-    assert_int_equal(s->base, BASE_BORDER);
+    assert_true(s->border_base);
     assert_int_equal(fixture_feed(f, "set tics; set xtics 0,1,2"), 0);
-    assert_int_equal(s->base, BASE_ALL);
-    assert_int_equal(fixture_feed(f, "unset border; reset"), 0);
-    assert_int_equal(s->base, BASE_ALL);
+    assert_int_equal(s->tics, SETTINGS_TICS_ALL);
+    assert_int_equal(fixture_feed(f, "unset border; unset tics; reset"), 0);
+    assert_true(s->border_base && s->tics == SETTINGS_TICS_ALL);
 }
 
 static void ranges(void **state) {
@@ -215,7 +215,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(defaults_are_gnuplots, setup, teardown),
         cmocka_unit_test_setup_teardown(show_can_be_fed_back, setup, teardown),
-        cmocka_unit_test_setup_teardown(base_plane, setup, teardown),
+        cmocka_unit_test_setup_teardown(border_and_tics, setup, teardown),
         cmocka_unit_test_setup_teardown(ranges, setup, teardown),
         cmocka_unit_test_setup_teardown(view_keeps_what_is_left_out, setup, teardown),
         cmocka_unit_test_setup_teardown(paper, setup, teardown),
