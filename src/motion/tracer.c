@@ -33,7 +33,7 @@ typedef struct span { /* one of the three parts of a line, and its time law */
 } span_t;
 
 typedef struct axis { /* the steps of one motor on a line */
-    int64_t next_q16; /* distance of the next step */
+    int64_t next_q16; /* distance of the next step; below 0: a turn had left it over, it is due at once */
     int64_t pitch_q16;
     uint32_t left;
     bool forward;
@@ -65,6 +65,10 @@ void tracer_speed(tracer_t *t, uint32_t speed_um_s, uint32_t top_q3) {
     t->top_time_q16 = rise_time_q16(t, (int64_t)top_q3 << Q16_PER_Q3);
 }
 
+static inline int64_t min_i64(int64_t a, int64_t b) {
+    return a < b ? a : b;
+}
+
 static int64_t cruise_time_q16(const tracer_t *t, int64_t s_q16) {
     uint64_t lat = (uint64_t)s_q16 >> 16, part = (uint64_t)s_q16 & 0xffff;
     return (int64_t)(((lat * t->per_lat_q24) >> 8) + ((part * t->per_lat_q24) >> 24));
@@ -76,6 +80,7 @@ static int64_t cruise_interval_q32(const tracer_t *t, int64_t pitch_q16) {
 }
 
 static int64_t time_q16(const tracer_t *t, const span_t *sp, int64_t s_q16) {
+    if (s_q16 < sp->from_q16) s_q16 = sp->from_q16;
     switch (sp->kind) {
     case UP:
         return sp->base_q16 + rise_time_q16(t, sp->height_q16 + s_q16);
@@ -184,6 +189,9 @@ static void trace_span(tracer_t *t, const span_t *sp, axis_t axis[2], bool last,
         for (int m = 0; m < 2; m++)
             if (axis[m].left && axis[m].pitch_q16 < pitch) pitch = axis[m].pitch_q16;
         int64_t length = pitch == INT64_MAX / 2 ? pitch : span_length(t, sp, s, pitch);
+        for (int m = 0; m < 2; m++) /* a step that is overdue is not on the law of the others: a piece of its own */
+            if (axis[m].left && axis[m].next_q16 < s && axis[m].next_q16 + axis[m].pitch_q16 > s)
+                length = min_i64(length, axis[m].next_q16 + axis[m].pitch_q16 - s);
         bool ends = length >= sp->to_q16 - s;
         s = ends ? sp->to_q16 : s + length;
         push_piece(t, sp, axis, s, last && ends, rest && ends);
@@ -216,7 +224,6 @@ static axis_t axis_of(kinematics_pos_t pos, int64_t d, int32_t steps, int32_t go
         a.next_q16 = a.pitch_q16 = length_q16;
         return a;
     }
-    if (half < 0) half = 0;
     if (half > along) half = along;
     a.pitch_q16 = (length_q16 << 16) / along_q16;
     a.next_q16 = ((half >> (KINEMATICS_STEP_BITS - 16)) * a.pitch_q16) >> 16;
