@@ -1,5 +1,6 @@
 /* expr_surface.c - points of an expression, computed on demand. */
 #include "scene/expr_surface.h"
+#include "num/num_double.h"
 
 #define SEED_MASK 0x3fffffffu /* rand() takes seeds from 1 to 2^31 - 250 */
 
@@ -35,7 +36,7 @@ static num_t evaluate(expr_source_t *s, const num_t *at, int n) {
 static num_t place(const expr_grid_t *g, int k, int32_t i) {
     if (i == 0) return g->lo[k];
     if (i == g->n[k] - 1) return g->hi[k];
-    return num_add(g->lo[k], num_mul(num_from_i64(i), g->step[k]));
+    return num_double_add(g->lo[k], num_double_mul(num_from_i64(i), g->step[k]));
 }
 
 static num_t x_of(void *ctx, int32_t i) {
@@ -53,7 +54,12 @@ num_t expr_surface_z_at(void *ctx, num_t x, num_t y) {
 }
 
 static num_t z_of(void *ctx, int32_t i, int32_t j) {
-    return expr_surface_z_at(ctx, place(ctx, 0, i), place(ctx, 1, j));
+    expr_grid_t *g = ctx;
+    if (j != g->row) { /* rows are mostly asked for as a whole */
+        g->row = j;
+        g->row_y = place(g, 1, j);
+    }
+    return expr_surface_z_at(ctx, place(g, 0, i), g->row_y);
 }
 
 static num_t y_at(void *ctx, int32_t i) {
@@ -66,12 +72,13 @@ static void sample(expr_grid_t *g, int k, num_t lo, num_t hi, int32_t n) {
     g->lo[k] = lo;
     g->hi[k] = hi;
     g->n[k] = n;
-    g->step[k] = num_div(num_sub(hi, lo), num_from_i64(n - 1));
+    g->step[k] = num_double_div(num_double_add(hi, num_neg(lo)), num_from_i64(n - 1));
 }
 
 void expr_surface_grid(expr_grid_t *g, expr_source_t *source, const num_t lo[2], const num_t hi[2], const int32_t n[2],
                        surface_t *out) {
     g->source = source;
+    g->row = -1;
     for (int k = 0; k < 2; k++) sample(g, k, lo[k], hi[k], n[k]);
     *out = (surface_t){n[0], n[1], g, x_of, y_of, z_of};
 }

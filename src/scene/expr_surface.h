@@ -1,9 +1,10 @@
 /* expr_surface.h - a compiled expression of x and y (or of x) as a surface (or a curve).
  *
- * Points lie at lo + i * (hi - lo) / (n - 1), within 2^-62 of the range; the ends are lo and hi exactly. Nothing is
- * stored: a height is computed whenever it is asked for. To give the same height each time, in any order, rand() inside
- * the expression starts anew at every point, from a hash of the plot's seed and of x and y: noise is a function of the
- * place. The same place has the same height on another grid too.
+ * Points lie at lo + i * step, step = (hi - lo) / (n - 1), rounded as doubles are, so that a hole or a step of the
+ * function meets the same grid lines as in gnuplot; the ends are lo and hi exactly. Nothing is stored: a height is
+ * computed whenever it is asked for. To give the same height each time, in any order, rand() inside the expression
+ * starts anew at every point, from a hash of the plot's seed and of x and y: noise is a function of the place. The same
+ * place has the same height on another grid too.
  *
  * An evaluation error that no compiler can see (a name that is defined nowhere, recursion that never ends) makes a hole
  * and is kept in `error` of the source: look at it after drawing. */
@@ -16,10 +17,10 @@
 
 typedef struct expr_source {
     lang_t *lang;
-    expr_t expr;      /* of 2 parameters for a surface, 1 for a curve */
-    bool random;      /* uses rand() */
-    int32_t seed[2];  /* of this plot */
-    int error;        /* the first error of an evaluation, or 0; details: expr_fault() at once */
+    expr_t expr;     /* of 2 parameters for a surface, 1 for a curve */
+    bool random;     /* uses rand() */
+    int32_t seed[2]; /* of this plot */
+    int error;       /* the first error of an evaluation, or 0; details: expr_fault() at once */
 } expr_source_t;
 
 /* One way of sampling a source. */
@@ -27,6 +28,8 @@ typedef struct expr_grid {
     expr_source_t *source;
     num_t lo[2], hi[2], step[2];
     int32_t n[2];
+    int32_t row; /* whose y is row_y, or -1 */
+    num_t row_y;
 } expr_grid_t;
 
 /* expr, lang and its code are used as long as the source is. */
