@@ -29,7 +29,7 @@ typedef struct motion_stats {
     uint64_t ticks;            /* from motors on to motors off, HAL_TICK_HZ */
     uint32_t max_speed_um_s;
     uint32_t starved;      /* the queue ran dry while moving or with the pen down: must be 0 */
-    uint32_t late;         /* deadlines served so late that the plan had to slip */
+    uint32_t late;         /* deadlines served or planned late; 0 unless the port delays interrupts */
     uint32_t forced;       /* blocks planned with too little look-ahead */
     uint32_t memory_bytes; /* of the caller's memory in use */
 } motion_stats_t;

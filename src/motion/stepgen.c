@@ -161,7 +161,10 @@ void stepgen_isr(void) {
         }
         in = earlier(in, g.end); /* look again when the piece is over */
     }
-    if (in < 0) in = 0;
+    if (in < 0) { /* planned for a time that had gone by when its piece was taken */
+        g.late++;
+        in = 0;
+    }
     g.now += (uint32_t)in;
     hal_timer_arm(g.now);
 }

@@ -50,7 +50,7 @@ void stepgen_start(void);
 bool stepgen_idle(void);
 /* Pulses counted at the pins, with sign. Exact when idle. */
 int32_t stepgen_position(int motor);
-/* Times the queue ran dry away from a rest; deadlines that made the plan slip. */
+/* Times the queue ran dry away from a rest; deadlines that made the plan slip or came after their time. */
 uint32_t stepgen_starved(void);
 uint32_t stepgen_late(void);
 

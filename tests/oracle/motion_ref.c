@@ -62,6 +62,18 @@ double motion_ref_when(const motion_ref_line_t *k, double accel, double s) {
     return t + (k->v_top - sqrt(k->v_out * k->v_out + 2 * accel * left)) / accel;
 }
 
+double motion_ref_where(const motion_ref_line_t *k, double accel, double t) {
+    double lo = 0, hi = k->length;
+    for (int i = 0; i < 50; i++) {
+        double middle = (lo + hi) / 2;
+        if (motion_ref_when(k, accel, middle) < t)
+            lo = middle;
+        else
+            hi = middle;
+    }
+    return lo;
+}
+
 double motion_ref_travel(double length, const motion_ref_limits_t *l) {
     motion_ref_point_t p[2] = {{0, 0}, {length, 0}};
     return motion_ref_run(p, 2, l, NULL);

@@ -26,6 +26,8 @@ double motion_ref_run(const motion_ref_point_t *p, size_t n, const motion_ref_li
                       motion_ref_line_t *lines);
 /* When the pen is s mm into a line, from the start of the run. */
 double motion_ref_when(const motion_ref_line_t *line, double accel, double s);
+/* The inverse: how far into a line the pen is, t s after the start of the run, which must fall into the line. */
+double motion_ref_where(const motion_ref_line_t *line, double accel, double t);
 /* The time of a straight move between rests. */
 double motion_ref_travel(double length, const motion_ref_limits_t *limits);
 

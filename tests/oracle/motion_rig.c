@@ -83,7 +83,8 @@ static int feed(const rig_drawing_t *d, motion_t *motion) {
 }
 
 rig_run_t rig_run(const rig_drawing_t *d, const machine_t *m, size_t bytes, void (*prepare)(void)) {
-    rig_run_t run = {.trace = {.has_pen = true, .has_enable = true, .unit_ps = 62500, .machine = *m}};
+    rig_run_t run = {.prepared = prepare != NULL,
+                     .trace = {.has_pen = true, .has_enable = true, .unit_ps = 62500, .machine = *m}};
     tape_t tape = {.trace = &run.trace, .hash = 14695981039346656037u};
     motion_t motion;
     void *memory = malloc(bytes);
@@ -157,4 +158,51 @@ double rig_deviation_steps(const rig_drawing_t *d, const machine_t *m, const tra
         pins = e->pins;
     }
     return stroke == d->strokes ? worst / step_mm : INFINITY;
+}
+
+/* Index of the event at which the pen goes up after event i. */
+static size_t pen_up_after(const trace_t *t, size_t i) {
+    while (i < t->count && (t->events[i].pins & HAL_PEN)) i++;
+    return i;
+}
+
+double rig_timed_deviation_steps(const rig_drawing_t *d, const machine_t *m, const trace_t *t) {
+    motion_ref_limits_t limits = {m->draw_speed_um_s * 1e-3, m->accel_um_s2 * 1e-3, m->junction_um * 1e-3};
+    motion_ref_line_t *lines = malloc((d->points + 1) * sizeof *lines);
+    double step_mm = 65536.0 / m->steps_per_mm_q16[0], worst = 0, motor[2] = {0, 0}, start = 0, stretch = 0;
+    size_t stroke = 0, line = 0, n = 0;
+    const motion_ref_point_t *p = NULL;
+    uint8_t pins = t->initial;
+    for (size_t i = 0; i < t->count; i++) {
+        const trace_event_t *e = &t->events[i];
+        uint8_t rises = e->changed & e->pins;
+        double now = (double)e->time_ps * 1e-12, middle[2] = {motor[0], motor[1]}, page[2];
+        for (int k = 0; k < 2; k++) {
+            if (!(rises & (k ? HAL_Y_STEP : HAL_X_STEP))) continue;
+            int way = e->pins & (k ? HAL_Y_DIR : HAL_X_DIR) ? 1 : -1;
+            middle[k] += 0.5 * way;
+            motor[k] += way;
+        }
+        if ((rises & HAL_PEN) && stroke < d->strokes) {
+            p = &d->point[d->stroke[stroke]];
+            n = stroke_end(d, stroke) - d->stroke[stroke];
+            stroke++;
+            line = 0;
+            start = now + m->lower_us * 1e-6;
+            double took = (double)t->events[pen_up_after(t, i)].time_ps * 1e-12 - start;
+            double ideal = motion_ref_run(p, n, &limits, lines);
+            stretch = took > 0 ? ideal / took : 0;
+        }
+        if ((rises & (HAL_X_STEP | HAL_Y_STEP)) && (pins & HAL_PEN)) {
+            double when = (now - start) * stretch;
+            while (line + 2 < n && lines[line + 1].start_s <= when) line++;
+            double s = motion_ref_where(&lines[line], limits.accel, when) / fmax(lines[line].length, 1e-12);
+            double x = p[line].x + s * (p[line + 1].x - p[line].x), y = p[line].y + s * (p[line + 1].y - p[line].y);
+            trace_path_page(m, middle, page);
+            worst = fmax(worst, hypot(page[0] - x, page[1] - y));
+        }
+        pins = e->pins;
+    }
+    free(lines);
+    return worst / step_mm;
 }

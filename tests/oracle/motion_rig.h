@@ -23,6 +23,7 @@ double rig_ideal_s(const rig_drawing_t *d, const machine_t *m);
 
 typedef struct rig_run {
     int error;
+    bool prepared;        /* faults may have been injected */
     motion_stats_t stats;
     trace_t trace; /* trace_free */
     uint64_t hash; /* over ticks and pins of every change */
@@ -35,5 +36,9 @@ double rig_estimate_s(const rig_drawing_t *d, const machine_t *m, size_t bytes);
 
 /* Greatest distance, in steps, of any position the pen takes (down) from the strokes, walked in order. */
 double rig_deviation_steps(const rig_drawing_t *d, const machine_t *m, const trace_t *t);
+
+/* The same against where the ideal plan has the pen at that moment; the moment of a step is that of half of it. Each
+ * stroke is stretched to the time that it took. */
+double rig_timed_deviation_steps(const rig_drawing_t *d, const machine_t *m, const trace_t *t);
 
 #endif
