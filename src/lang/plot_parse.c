@@ -129,8 +129,11 @@ int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind) {
     do {
         if (session_at_end(lx) && s->plot.sources > 0) break; /* a comma at the end, as gnuplot allows */
         if (session_at_end(lx)) return session_fail(s, lx, ERR_SYNTAX, "an expression or a file to draw expected");
+        lexer_t at = *lx;
         int defined = expr_define(&s->lang, lx, &s->error);
         if (defined < 0) return defined;
+        if (defined && s->plot.sources > 0) /* it would hold for the elements before it too */
+            return session_fail(s, &at, ERR_UNSUPPORTED, "definitions belong in front of the first element");
         if (defined) continue;
         if (s->plot.sources == CONFIG_PLOT_ITEMS)
             return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "too much for one plot; most elements",

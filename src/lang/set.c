@@ -64,8 +64,16 @@ static const word_t looks[] = {
 static int set_title(session_t *s, lexer_t *lx) {
     char title[SETTINGS_TITLE_MAX] = "";
     if (lx->tok.kind == TOKEN_STRING) {
-        int err = session_string(s, lx, title, sizeof title, "");
+        char *text = s->frame_name[0]; /* lent: no data file is open now */
+        int err = session_string(s, lx, text, CONFIG_NAME_MAX + 1, "");
         if (err) return err;
+        size_t n = strlen(text);
+        if (n >= sizeof title) {
+            n = sizeof title - 1;
+            while (n > 0 && ((unsigned char)text[n] & 0xc0) == 0x80) n--; /* between characters of UTF-8 */
+            session_warn(s, "", text, 0, "the title is cut");
+        }
+        memcpy(title, text, n);
     }
     if (!session_at_end(lx)) {
         if (words_find(looks, lx) < 0) return lexer_unexpected(lx, &s->error, "a text in quotes expected");
@@ -173,7 +181,18 @@ static int unknown(session_t *s, const lexer_t *word) {
                                word->tok.len);
 }
 
+/* set noXXX: gnuplot's old way to say unset XXX. */
+static bool is_negated(const lexer_t *lx) {
+    const char *p = lexer_text(lx);
+    return lx->tok.kind == TOKEN_NAME && lx->tok.len > 3 && p[0] == 'n' && p[1] == 'o' && words_find(words_set, lx) < 0;
+}
+
 int set_command(session_t *s, lexer_t *lx) {
+    if (is_negated(lx)) {
+        lx->tok.start += 2;
+        lx->tok.len -= 2;
+        return set_unset_command(s, lx);
+    }
     lexer_t word = *lx;
     int index = find_option(s, lx, "an option expected; try `help set`");
     if (index < 0) return index;

@@ -242,6 +242,7 @@ int show_command(session_t *s, lexer_t *lx) {
         session_skip(lx);
         return 0;
     }
+    if (id == SET_STYLE || id == SET_DATAFILE) session_skip(lx); /* show style line: all there is to tell */
     int err = session_expect_end(s, lx);
     if (err) return err;
     if (plot) {

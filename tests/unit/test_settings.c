@@ -172,6 +172,9 @@ static void hidden3d(void **state) {
     assert_int_equal(s->hidden, HIDDEN_NONE);
     assert_int_equal(fixture_feed(f, "set hidden3d offset 0"), 0);
     assert_int_equal(s->hidden, HIDDEN_PERIMETER);
+    assert_int_equal(fixture_feed(f, "set nohidden3d; set nokey"), 0);
+    assert_int_equal(s->hidden, HIDDEN_NONE);
+    assert_int_equal(fixture_feed(f, "set nofoo"), ERR_NAME);
     assert_int_equal(fixture_feed(f, "set hid horizon"), 0);
     assert_int_equal(s->hidden, HIDDEN_HORIZON);
     assert_int_equal(fixture_feed(f, "set hidden3d trianglepattern 3 undefined 1 noaltdiagonal front"), 0);
@@ -192,7 +195,9 @@ static void titles(void **state) {
     assert_string_equal(s->title, "");
     char line[200];
     snprintf(line, sizeof line, "set title '%0120d'", 0);
-    assert_int_equal(fixture_feed(f, line), ERR_FULL);
+    assert_int_equal(fixture_feed(f, line), 0);
+    assert_int_equal(strlen(s->title), SETTINGS_TITLE_MAX - 1);
+    assert_string_equal(f->err, "line 4: warning: the title is cut\n");
 }
 
 static void help_says_something(void **state) {
