@@ -151,20 +151,22 @@ static const num_t *data_limits(session_t *s, int k, num_t out[2]) {
     return out;
 }
 
-static void function_item(session_t *s, const session_source_t *src, session_work_t *work, plot_item_t *item,
-                          const num_t lo[2], const num_t hi[2]) {
+static int function_item(session_t *s, const session_source_t *src, session_work_t *work, plot_item_t *item,
+                         const num_t lo[2], const num_t hi[2]) {
     const int32_t *iso = s->settings.isosamples, *samples = s->settings.samples;
     const int32_t along_x[2] = {samples[0], iso[1]}, along_y[2] = {iso[0], samples[1]};
     expr_source_t *source = &work->expr.source;
     expr_surface_source(source, &s->lang, &src->expr);
+    int err;
     if (s->plot.kind == PLOT_CURVES) {
-        expr_surface_curve(&work->expr.grid, source, lo[0], hi[0], samples[0], &item->curve);
-        return;
+        err = expr_surface_curve(&work->expr.grid, source, lo[0], hi[0], samples[0], &item->curve);
+    } else {
+        err = expr_surface_grid(&work->expr.grid, source, lo, hi, iso, &item->surface);
+        if (!err) err = expr_surface_grid(&work->expr.rows, source, lo, hi, along_x, &item->rows);
+        if (!err) err = expr_surface_grid(&work->expr.cols, source, lo, hi, along_y, &item->cols);
+        item->z_at = expr_surface_z_at;
     }
-    expr_surface_grid(&work->expr.grid, source, lo, hi, iso, &item->surface);
-    expr_surface_grid(&work->expr.rows, source, lo, hi, along_x, &item->rows);
-    expr_surface_grid(&work->expr.cols, source, lo, hi, along_y, &item->cols);
-    item->z_at = expr_surface_z_at;
+    return err ? fail_at(s, src, err, "the x or y range is too narrow") : 0;
 }
 
 static int data_item(session_t *s, const session_source_t *src, const data_grid_t *grid, session_work_t *work,
@@ -208,7 +210,7 @@ static int make_items(session_t *s) {
             else if (data)
                 err = data_item(s, src, &s->plot.grid[src->first_grid + g], &s->plot.work[n], item);
             else
-                function_item(s, src, &s->plot.work[n], item, lo, hi);
+                err = function_item(s, src, &s->plot.work[n], item, lo, hi);
             if (err) return err;
         }
     }

@@ -1,5 +1,6 @@
 /* expr_surface.c - points of an expression, computed on demand. */
 #include "scene/expr_surface.h"
+#include "error.h"
 #include "num/num_double.h"
 
 #define SEED_MASK 0x3fffffffu /* rand() takes seeds from 1 to 2^31 - 250 */
@@ -68,23 +69,29 @@ static num_t y_at(void *ctx, int32_t i) {
     return evaluate(g->source, &x, 1);
 }
 
-static void sample(expr_grid_t *g, int k, num_t lo, num_t hi, int32_t n) {
+/* Steps below this part of the larger end could leave two points on one double. */
+#define STEP_SHIFT (-46)
+
+static int sample(expr_grid_t *g, int k, num_t lo, num_t hi, int32_t n) {
     g->lo[k] = lo;
     g->hi[k] = hi;
     g->n[k] = n;
     g->step[k] = num_double_div(num_double_add(hi, num_neg(lo)), num_from_i64(n - 1));
+    num_t a = num_abs(lo), b = num_abs(hi), least = num_ldexp(num_cmp(a, b) < 0 ? b : a, STEP_SHIFT);
+    return g->step[k].undef || num_cmp(g->step[k], least) <= 0 ? ERR_VALUE : 0;
 }
 
-void expr_surface_grid(expr_grid_t *g, expr_source_t *source, const num_t lo[2], const num_t hi[2], const int32_t n[2],
-                       surface_t *out) {
+int expr_surface_grid(expr_grid_t *g, expr_source_t *source, const num_t lo[2], const num_t hi[2], const int32_t n[2],
+                      surface_t *out) {
     g->source = source;
     g->row = -1;
-    for (int k = 0; k < 2; k++) sample(g, k, lo[k], hi[k], n[k]);
     *out = (surface_t){n[0], n[1], g, x_of, y_of, z_of};
+    int err = sample(g, 0, lo[0], hi[0], n[0]);
+    return err ? err : sample(g, 1, lo[1], hi[1], n[1]);
 }
 
-void expr_surface_curve(expr_grid_t *g, expr_source_t *source, num_t lo, num_t hi, int32_t n, curve_t *out) {
+int expr_surface_curve(expr_grid_t *g, expr_source_t *source, num_t lo, num_t hi, int32_t n, curve_t *out) {
     g->source = source;
-    sample(g, 0, lo, hi, n);
     *out = (curve_t){n, g, x_of, y_at};
+    return sample(g, 0, lo, hi, n);
 }

@@ -34,12 +34,13 @@ typedef struct expr_grid {
 
 /* expr, lang and its code are used as long as the source is. */
 void expr_surface_source(expr_source_t *s, lang_t *lang, const expr_t *expr);
-/* lo[k] < hi[k], n[k] >= 2; k = 0: x, 1: y. g and source outlive out. */
-void expr_surface_grid(expr_grid_t *g, expr_source_t *source, const num_t lo[2], const num_t hi[2], const int32_t n[2],
-                       surface_t *out);
+/* k = 0: x, 1: y; n[k] >= 2. Returns 0, or ERR_VALUE unless lo[k] < hi[k] are far enough apart for n[k] different
+ * doubles. g and source outlive out. */
+int expr_surface_grid(expr_grid_t *g, expr_source_t *source, const num_t lo[2], const num_t hi[2], const int32_t n[2],
+                      surface_t *out);
 /* The height anywhere; ctx is the expr_grid_t, as in the surface. */
 num_t expr_surface_z_at(void *ctx, num_t x, num_t y);
-/* Uses index 0 of lo, hi, n. */
-void expr_surface_curve(expr_grid_t *g, expr_source_t *source, num_t lo, num_t hi, int32_t n, curve_t *out);
+/* The same for an expression of x. */
+int expr_surface_curve(expr_grid_t *g, expr_source_t *source, num_t lo, num_t hi, int32_t n, curve_t *out);
 
 #endif

@@ -42,6 +42,7 @@ static void errors_have_a_place(void **state) {
         {"splot '-' using 1:2:", ERR_SYNTAX, 1, 21, "column"},
         {"splot '-' using 99", ERR_VALUE, 1, 17, "columns"},
         {"splot '-' every 0", ERR_VALUE, 1, 17, "range"},
+        {"splot [1:1+1e-13] x", ERR_VALUE, 1, 19, "narrow"},
         {"splot a=1, a*x, a=2, a*y", ERR_UNSUPPORTED, 1, 17, "first element"},
         {"splot $x matrix", ERR_UNSUPPORTED, 1, 7, "blocks"},
         {"splot ''", ERR_VALUE, 1, 7, "no file"},
