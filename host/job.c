@@ -63,10 +63,11 @@ static int draw(job_t *job, const plot_t *plot, picture_t *picture, watch_t *w) 
         }
         drawing_clear(&job->drawing);
         memset(w->begun, 0, sizeof w->begun);
-        int err = picture_draw(picture, plot, job->lent, job->lent_bytes, &pen, &hooks);
+        /* exactly this much, though an earlier page may have needed more: the order of strokes depends on it */
+        int err = picture_draw(picture, plot, job->lent, bytes, &pen, &hooks);
         w->begun[PICTURE_DONE] = progress_now();
-        if (err != ERR_FULL || job->lent_bytes >= JOB_LENT_MAX) return err;
-        bytes = job->lent_bytes * 2 < JOB_LENT_MAX ? job->lent_bytes * 2 : JOB_LENT_MAX;
+        if (err != ERR_FULL || bytes >= JOB_LENT_MAX) return err;
+        bytes = bytes * 2 < JOB_LENT_MAX ? bytes * 2 : JOB_LENT_MAX;
     }
 }
 
