@@ -44,7 +44,7 @@ for shape in smooth random; do
             { echo 'set term dumb'; scene $shape 2; echo 'splot 0 with lines'; } >"$tmp/empty.gp"
             t=$("$B/bench/cpu_time" $repeat gnuplot "$tmp/full.gp" 2>/dev/null)
             e=$("$B/bench/cpu_time" 3 gnuplot "$tmp/empty.gp" 2>/dev/null)
-            t=$(awk -v a="$t" -v b="$e" 'BEGIN { d = a - b; print d > 0 ? d : 0 }')
+            t=$(awk -v a="$t" -v b="$e" 'BEGIN { d = a - b; print (d > 0 ? d : 0) }')
             echo "gnuplot $shape $n $(facets_ns "$t" "$n")" >>"$out"
         fi
     done
