@@ -248,6 +248,9 @@ static int draw(session_t *s) {
     for (int k = 0; k < 3; k++) *axis[k] = set[k];
     s->lang.seed[0] = seed[0];
     s->lang.seed[1] = seed[1];
+    if (err == ERR_UNSUPPORTED && n > 1)
+        return fail_at(s, &s->plot.source[s->plot.sources > 1], err,
+                       "surfaces cannot hide each other here; try unset hidden3d");
     if (err < 0) return fail_at(s, &s->plot.source[0], err, error_text(err));
     return evaluation_error(s, n);
 }
