@@ -7,6 +7,7 @@
 #include <string.h>
 
 #define BESIDE (0.5 * JUDGE_STEP_MM) /* how far from an edge its ink may run */
+#define ROUNDED 1e-4                 /* what rounding may turn, mm across */
 #define BIN_MM 2.0
 #define BINS 512
 
@@ -52,6 +53,8 @@ static bool beside(const page_seg_t *a, const page_seg_t *b, double *f0, double 
     uy /= len;
     double s0 = (b->x0 - a->x0) * ux + (b->y0 - a->y0) * uy, s1 = (b->x1 - a->x0) * ux + (b->y1 - a->y0) * uy;
     double d0 = (b->y0 - a->y0) * ux - (b->x0 - a->x0) * uy, d1 = (b->y1 - a->y0) * ux - (b->x1 - a->x0) * uy;
+    /* A piece of a step or less would fit across the strip, too: it must run along. Ends are rounded to the lattice. */
+    if (fabs(d1 - d0) > .05 * fabs(s1 - s0) + ROUNDED) return false;
     if (s0 == s1) return false;
     double ga = -s0 / (s1 - s0), gb = (len - s0) / (s1 - s0); /* of b, where a begins and ends */
     *g0 = fmax(0, fmin(ga, gb));
@@ -109,6 +112,7 @@ static void match_edge(work_t *w, int family, int line, int k) {
     spans_t visible = {0}, hidden = {0}, maybe = {0};
     judge_edge(w->what, w->v, family, line, k, 1, &visible, &hidden);
     spans_complement(&hidden, 0, 1, &maybe);
+    judge_edge(w->what, w->v, family, line, k, 0, &visible, &hidden);
     w->edge++;
     int x0 = bin_of(fmin(on.x0, on.x1) - BIN_MM), x1 = bin_of(fmax(on.x0, on.x1) + BIN_MM);
     int y0 = bin_of(fmin(on.y0, on.y1) - BIN_MM), y1 = bin_of(fmax(on.y0, on.y1) + BIN_MM);
@@ -125,11 +129,10 @@ static void match_edge(work_t *w, int family, int line, int k) {
                 bool forward =
                     (w->seg[i].x1 - w->seg[i].x0) * (on.x1 - on.x0) + (w->seg[i].y1 - w->seg[i].y0) * (on.y1 - on.y0) >
                     0;
-                double visible_part = 0;
+                double hidden_part = 0;
                 for (size_t n = 0; n < maybe.n; n++) {
                     double p = fmax(a, (double)maybe.s[n].a), q = fmin(b, (double)maybe.s[n].b);
                     if (!(p < q)) continue;
-                    visible_part += q - p;
                     double fp = to_page((p - t0) / (t1 - t0), depth[0], depth[1]);
                     double fq = to_page((q - t0) / (t1 - t0), depth[0], depth[1]);
                     double gp = (fp - f0) / (f1 - f0), gq = (fq - f0) / (f1 - f0);
@@ -139,7 +142,9 @@ static void match_edge(work_t *w, int family, int line, int k) {
                         spans_add(&w->good[i], g1 - gq * (g1 - g0), g1 - gp * (g1 - g0));
                 }
                 /* Ink that coincides with a hidden edge is some other line's. */
-                if (visible_part > .5 * (b - a)) add_piece(w, (judge_piece_t){family, line, k + a, k + b});
+                for (size_t n = 0; n < hidden.n; n++)
+                    hidden_part += fmax(0, fmin(b, (double)hidden.s[n].b) - fmax(a, (double)hidden.s[n].a));
+                if (hidden_part < .5 * (b - a)) add_piece(w, (judge_piece_t){family, line, k + a, k + b});
             }
     spans_free(&visible);
     spans_free(&hidden);
