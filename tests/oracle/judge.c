@@ -109,10 +109,9 @@ void judge_edge(const judge_subject_t *r, const page_view_t *v, int family, int 
         for (int s = 0; s < 2; s++) {
             double side = s ? d : -d;
             page_view_shift(v, e, -side * (y1 - y0), side * (x1 - x0), moved[s]);
-            r->moved(r->ref, family, line, k, moved[s], REF_SKIP_TOUCHING, &part);
+            r->moved(r->ref, family, line, k, moved[s], &part);
             spans_subtract(visible, &part, &keep);
             spans_copy(&keep, visible);
-            r->moved(r->ref, family, line, k, moved[s], REF_SKIP_OWN, &part);
             spans_intersect(hidden, &part, &keep);
             spans_copy(&keep, hidden);
         }

@@ -24,8 +24,7 @@ typedef struct judge_subject {
     bool (*exists)(const void *ref, int family, int line, int k);
     void (*ends)(const void *ref, int family, int line, int k, exact_point_t end[2]);
     void (*look)(const void *ref, int family, int line, int k, spans_t *hidden, spans_t *either);
-    void (*moved)(const void *ref, int family, int line, int k, const exact_point_t at[2], enum ref_skip skip,
-                  spans_t *hidden);
+    void (*moved)(const void *ref, int family, int line, int k, const exact_point_t at[2], spans_t *hidden);
     void (*doubled)(const void *ref, int family, int line, int k, const exact_point_t at[2],
                     const exact_point_t other[2], spans_t *out);
 } judge_subject_t;

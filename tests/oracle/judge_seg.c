@@ -125,7 +125,7 @@ static void match_edge(work_t *w, int family, int line, int k) {
                 w->seen[i] = w->edge;
                 if (!beside(&on, &w->seg[i], &f0, &f1, &g0, &g1)) continue;
                 double a = t0 + (t1 - t0) * to_space(f0, depth[0], depth[1]);
-                double b = t0 + (t1 - t0) * to_space(f1, depth[0], depth[1]);
+                double b = fmin(1, t0 + (t1 - t0) * to_space(f1, depth[0], depth[1]));
                 bool forward =
                     (w->seg[i].x1 - w->seg[i].x0) * (on.x1 - on.x0) + (w->seg[i].y1 - w->seg[i].y0) * (on.y1 - on.y0) >
                     0;
@@ -141,10 +141,17 @@ static void match_edge(work_t *w, int family, int line, int k) {
                     else
                         spans_add(&w->good[i], g1 - gq * (g1 - g0), g1 - gp * (g1 - g0));
                 }
-                /* Ink that coincides with a hidden edge is some other line's. */
+                /* Ink beside an edge that is mostly hidden is some other line's, but covers what is visible. */
                 for (size_t n = 0; n < hidden.n; n++)
                     hidden_part += fmax(0, fmin(b, (double)hidden.s[n].b) - fmax(a, (double)hidden.s[n].a));
-                if (hidden_part < .5 * (b - a)) add_piece(w, (judge_piece_t){family, line, k + a, k + b});
+                if (hidden_part < .5 * (b - a)) {
+                    add_piece(w, (judge_piece_t){family, line, k + a, k + b});
+                    continue;
+                }
+                for (size_t n = 0; n < visible.n; n++) {
+                    double p = fmax(a, (double)visible.s[n].a), q = fmin(b, (double)visible.s[n].b);
+                    if (p < q) add_piece(w, (judge_piece_t){family, line, k + p, k + q});
+                }
             }
     spans_free(&visible);
     spans_free(&hidden);

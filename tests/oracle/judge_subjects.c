@@ -18,9 +18,8 @@ static void surface_ends(const void *ref, int family, int line, int k, exact_poi
 static void surface_look(const void *ref, int family, int line, int k, spans_t *hidden, spans_t *either) {
     surface_ref_edge(ref, family, line, k, hidden, either);
 }
-static void surface_moved(const void *ref, int family, int line, int k, const exact_point_t at[2], enum ref_skip skip,
-                          spans_t *hidden) {
-    surface_ref_moved(ref, family, line, k, at, skip, hidden);
+static void surface_moved(const void *ref, int family, int line, int k, const exact_point_t at[2], spans_t *hidden) {
+    surface_ref_moved(ref, family, line, k, at, hidden);
 }
 static void surface_doubled(const void *ref, int family, int line, int k, const exact_point_t at[2],
                             const exact_point_t other[2], spans_t *out) {
@@ -61,9 +60,8 @@ static void profile_look(const void *ref, int family, int line, int k, spans_t *
     horizon_ref_segment(ref, line, end, hidden);
     spans_clear(either);
 }
-static void profile_moved(const void *ref, int family, int line, int k, const exact_point_t at[2], enum ref_skip skip,
-                          spans_t *hidden) {
-    (void)family, (void)k, (void)skip;
+static void profile_moved(const void *ref, int family, int line, int k, const exact_point_t at[2], spans_t *hidden) {
+    (void)family, (void)k;
     horizon_ref_segment(ref, line, at, hidden);
 }
 static void profile_doubled(const void *ref, int family, int line, int k, const exact_point_t at[2],

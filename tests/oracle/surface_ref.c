@@ -173,7 +173,7 @@ static int first_column(const surface_ref_t *r, long double x) {
     return lo;
 }
 
-typedef void visit_fn(const query_t *q, int ci, int cj, bool own, bool touches, void *ctx);
+typedef void visit_fn(const query_t *q, int ci, int cj, bool own, void *ctx);
 
 /* Visits every existing cell that may be between the edge and the eye; the margins only cost time. */
 static void visit_cells(const query_t *q, visit_fn *visit, void *ctx) {
@@ -188,26 +188,25 @@ static void visit_cells(const query_t *q, visit_fn *visit, void *ctx) {
         if (lo > hi) continue;
         for (int ci = first_column(r, lo - slack_x); ci + 1 < r->nx && r->x[ci] <= hi + slack_x; ci++) {
             if (!surface_ref_cell_exists(r, ci, cj)) continue;
-            bool touches = q->imax >= ci && q->imin <= ci + 1 && q->jmax >= cj && q->jmin <= cj + 1;
             bool own = q->imin >= ci && q->imax <= ci + 1 && q->jmin >= cj && q->jmax <= cj + 1;
-            visit(q, ci, cj, own, touches, ctx);
+            visit(q, ci, cj, own, ctx);
         }
     }
 }
 
 typedef struct cover {
-    bool skip_own, skip_touching;
+    bool skip_own;
     spans_t *hidden, *either;
 } cover_t;
 
-static void visit_cover(const query_t *q, int ci, int cj, bool own, bool touches, void *ctx) {
+static void visit_cover(const query_t *q, int ci, int cj, bool own, void *ctx) {
     const cover_t *c = ctx;
-    if ((own && c->skip_own) || (touches && c->skip_touching)) return;
+    if (own && c->skip_own) return;
     cell_hides(q, ci, cj, own, c->hidden, c->either);
 }
 
-static void all_cells(const query_t *q, bool skip_own, bool skip_touching, spans_t *hidden, spans_t *either) {
-    cover_t c = {skip_own, skip_touching, hidden, either};
+static void all_cells(const query_t *q, bool skip_own, spans_t *hidden, spans_t *either) {
+    cover_t c = {skip_own, hidden, either};
     visit_cells(q, visit_cover, &c);
     spans_tidy(hidden);
     spans_tidy(either);
@@ -224,11 +223,11 @@ static query_t query_of(const surface_ref_t *r, int family, int line, int k) {
 }
 
 /* For an edge in a vertical plane through the eye: both when either side hides it; else the doubt. */
-static void two_sided(query_t *q, bool own, bool touching, spans_t *hidden, spans_t *either) {
+static void two_sided(query_t *q, bool own, spans_t *hidden, spans_t *either) {
     spans_t side[2] = {{0}, {0}}, both = {0}, doubt = {0};
     for (int s = 0; s < 2; s++) {
         q->lean = s ? -1 : 1;
-        all_cells(q, own, touching, &side[s], either);
+        all_cells(q, own, &side[s], either);
     }
     spans_intersect(&side[0], &side[1], &both);
     spans_copy(&both, hidden);
@@ -243,27 +242,27 @@ static void two_sided(query_t *q, bool own, bool touching, spans_t *hidden, span
     spans_free(&doubt);
 }
 
-static void look(query_t *q, bool own, bool touching, spans_t *hidden, spans_t *either) {
+static void look(query_t *q, bool own, spans_t *hidden, spans_t *either) {
     spans_clear(hidden);
     spans_clear(either);
     if (exact_side(&q->r->eye, &q->p[0], &q->p[1]) == 0)
-        two_sided(q, own, touching, hidden, either);
+        two_sided(q, own, hidden, either);
     else
-        all_cells(q, own, touching, hidden, either);
+        all_cells(q, own, hidden, either);
 }
 
 void surface_ref_edge(const surface_ref_t *r, int family, int line, int k, spans_t *hidden, spans_t *either) {
     query_t q = query_of(r, family, line, k);
-    look(&q, false, false, hidden, either);
+    look(&q, false, hidden, either);
 }
 
 void surface_ref_moved(const surface_ref_t *r, int family, int line, int k, const exact_point_t moved[2],
-                       enum ref_skip skip, spans_t *hidden) {
+                       spans_t *hidden) {
     query_t q = query_of(r, family, line, k);
     spans_t either = {0};
     q.p[0] = moved[0];
     q.p[1] = moved[1];
-    look(&q, true, skip == REF_SKIP_TOUCHING, hidden, &either);
+    look(&q, true, hidden, &either);
     spans_free(&either);
 }
 
@@ -273,10 +272,9 @@ typedef struct doubling {
 } doubling_t;
 
 /* Adds where a side of the cell, in front of the edge, lies between the edge's two moved copies. */
-static void visit_doubled(const query_t *q, int ci, int cj, bool own, bool touches, void *ctx) {
+static void visit_doubled(const query_t *q, int ci, int cj, bool own, void *ctx) {
     const surface_ref_t *r = q->r;
     const doubling_t *d = ctx;
-    (void)touches;
     int ni[5] = {ci, ci + 1, ci + 1, ci, ci}, nj[5] = {cj, cj, cj + 1, cj + 1, cj};
     for (int k = 0; k < 4; k++) {
         int in = inside(r, ci, cj, k);

@@ -32,12 +32,6 @@ typedef struct surface_ref {
 
 enum { REF_ROW = 0, REF_COL = 1 }; /* y = y[line], counted along x; x = x[line], counted along y */
 
-/* Which cells are not asked whether they hide a moved edge. */
-enum ref_skip {
-    REF_SKIP_OWN,      /* the two that the edge borders */
-    REF_SKIP_TOUCHING, /* and the four that share a vertex with it */
-};
-
 exact_point_t surface_ref_node(const surface_ref_t *r, int i, int j);
 bool surface_ref_cell_exists(const surface_ref_t *r, int ci, int cj);
 /* Is edge k of a line (from vertex k to k + 1) there? */
@@ -47,9 +41,9 @@ void surface_ref_edge_ends(const surface_ref_t *r, int family, int line, int k, 
 /* Where the edge is hidden, as intervals of [0, 1]; what may count as either goes to `either`. */
 void surface_ref_edge(const surface_ref_t *r, int family, int line, int k, spans_t *hidden, spans_t *either);
 /* The same for the segment `moved` in place of the edge, taken to be as far from the eye as the edge: how the judge
- * asks what a small error of the drawing could have shown. */
+ * asks what a small error of the drawing could have shown. The two cells that the edge borders hide nothing of it. */
 void surface_ref_moved(const surface_ref_t *r, int family, int line, int k, const exact_point_t moved[2],
-                       enum ref_skip skip, spans_t *hidden);
+                       spans_t *hidden);
 
 /* Where the edge runs, on the page, between `moved` and `other` (the edge moved to both sides) together with a nearer
  * edge: there is ink in that place whoever draws it. */
