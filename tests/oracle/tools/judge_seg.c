@@ -51,8 +51,9 @@ static int from_formula(surface_ref_t *r, const char *text, const int n[2], cons
                         const double limit[2]) {
     const char *bad = NULL;
     allocate(r, n[0], n[1]);
-    for (int i = 0; i < n[0]; i++) r->x[i] = i == n[0] - 1 ? x[1] : x[0] + i * ((x[1] - x[0]) / (n[0] - 1));
-    for (int j = 0; j < n[1]; j++) r->y[j] = j == n[1] - 1 ? y[1] : y[0] + j * ((y[1] - y[0]) / (n[1] - 1));
+    /* Rounded as gnuplot does, so that a singular point is met or missed alike. */
+    for (int i = 0; i < n[0]; i++) r->x[i] = x[0] + i * ((x[1] - x[0]) / (n[0] - 1));
+    for (int j = 0; j < n[1]; j++) r->y[j] = y[0] + j * ((y[1] - y[0]) / (n[1] - 1));
     for (int j = 0; j < n[1]; j++)
         for (int i = 0; i < n[0]; i++) {
             set(r, i, j, formula(text, r->x[i], r->y[j], &bad), limit);

@@ -1,0 +1,61 @@
+#!/bin/sh
+# The whole program against the exact reference: what `ridgeline plot -o x.seg` draws is judged line by line
+# (tests/oracle/judge_seg.h): no run of missing or false ink longer than one step of 0.0125 mm.
+. tests/cli/lib.sh
+case ${BUILDDIR:=build} in /*) ;; *) BUILDDIR=$root/$BUILDDIR ;; esac
+judge=$BUILDDIR/tools/judge_seg
+# Default paper and margin.
+page='-p 10,10,287,200'
+
+# judged NX NY X0:X1 Y0:Y1 FUNCTION COMMANDS [judge option...]
+judged() {
+    nx=$1 ny=$2 x=$3 y=$4 f=$5 commands=$6
+    shift 6
+    {
+        echo "set isosamples $nx,$ny; set samples $nx,$ny; set xrange [$x]; set yrange [$y]; set hidden3d"
+        echo "$commands"
+        echo "splot $f with lines"
+    } >judged.gp
+    ridgeline plot judged.gp -o judged.seg
+    # shellcheck disable=SC2086
+    "$judge" judged.seg -f "$f" -n "$nx,$ny" -x "$x" -y "$y" $page "$@" >judged.txt || true
+    cat judged.gp judged.txt
+    awk '$1 == "missing_mm" || $1 == "false_mm" { found++; if ($2 > 0.0125) bad = 1 } END { exit bad || found != 2 }' judged.txt
+}
+
+sinc='sin(sqrt(x**2+y**2))/sqrt(x**2+y**2)'
+noise='sin(12.9898*x+78.233*y)*1.7'
+
+perspective_outside() {
+    judged 40 40 -2:2 -2:2 'exp(-x**2-y**2)' 'set view from 6,8,3'
+    judged 25 25 -2:2 -2:2 "$noise" 'set view from 6,-8,3'
+    judged 12 40 -2:2 -1:7 'x**2-y**2' 'set view from -9,2,-30'
+}
+perspective_inside() {
+    judged 25 25 -2:2 -2:2 "$noise" 'set view from .3,.2,4' -e .3,.2,4
+    judged 21 21 -2:2 -2:2 "$noise" 'set view from 0,0,4' -e 0,0,4
+    judged 16 16 -2:2 -2:2 "$noise" 'set view from .5,.1,-3' -e .5,.1,-3
+}
+perspective_in_a_grid_plane() {
+    judged 17 17 -2:2 -2:2 "$noise" 'set view from .5,7,2' -e .5,7,2
+    judged 17 17 -2:2 -2:2 'cos(2*x)*cos(2*y)' 'set view from 2,-7,1' -e 2,-7,1
+    judged 2 17 -2:2 -2:2 "$noise" 'set view from -9,1,0' -e -9,1,0
+}
+gnuplots_views() {
+    judged 40 40 -10:10 -10:10 "$sinc" 'set view 60,30'
+    judged 21 21 -2:2 -2:2 "$noise" 'set view 90,45'
+    judged 21 21 -2:2 -2:2 "$noise" 'set view 120,210,.8,1.5'
+    judged 21 21 -2:2 -2:2 'x*x-y*y' 'set view 0,0'
+    judged 15 21 0:1 -7:3 "$noise" 'set view 75,300'
+}
+holes() {
+    judged 25 25 -2:2 -2:2 'sqrt(3.1-x*x-y*y)' 'set view 60,30'
+    judged 21 21 -2:2 -2:2 'log(x+.7*y)' 'set view from 6,-8,3'
+    judged 21 21 -2:2 -2:2 'tan(x)+.1*y' 'set view from 6,8,6; set zrange [-2:2]' -z -2:2
+}
+cliffs() {
+    judged 25 25 -2:2 -2:2 'int(x+.013)*int(y+.017)' 'set view from 6,8,3'
+    judged 25 25 -2:2 -2:2 'x*y>.0123?1:0' 'set view from 3,9,2'
+}
+
+run_tests perspective_outside perspective_inside perspective_in_a_grid_plane gnuplots_views holes cliffs
