@@ -8,9 +8,6 @@
 
 #define ONE_Q30 (INT32_C(1) << 30)
 
-static inline int32_t max32(int32_t a, int32_t b) {
-    return a > b ? a : b;
-}
 static inline int32_t min32(int32_t a, int32_t b) {
     return a < b ? a : b;
 }

@@ -23,9 +23,6 @@ static inline int32_t abs32(int32_t v) {
 static inline int32_t max32(int32_t a, int32_t b) {
     return a > b ? a : b;
 }
-static inline int32_t min32(int32_t a, int32_t b) {
-    return a < b ? a : b;
-}
 
 int envelope_init(envelope_t *upper, envelope_t *lower, pencil_t *pool, size_t count) {
     envelope_t *both[2] = {upper, lower};
