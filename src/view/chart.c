@@ -1,5 +1,6 @@
 /* chart.c - choosing a chart's kind and scales once per scene, and charting rows. */
 #include "view/chart.h"
+#include <string.h>
 
 /* A single sector is used while directions differ by less than this slope: at its border a unit of a is then
  * MAX_SLOPE^2 + 1 times as fine in angle as in its middle. */
@@ -45,10 +46,21 @@ static int32_t cell_of(num_t (*of)(void *ctx, int32_t k), void *ctx, int32_t n, 
     return lo;
 }
 
+/* Is the view vertical, or so nearly that over the whole surface no height shifts a point by 2^-40 of its width?
+ * Heights may be 10^20 times the width and more, so the sizes of the box have to be in it. */
+static bool looks_straight_down(const num_t e[3], const num_t x[2], const num_t y[2], const num_t z[2]) {
+    if (e[0].m == 0 && e[1].m == 0) return true;
+    const num_t height = num_sub(z[1], z[0]);
+    if (height.m == 0) return false;
+    const num_t down = num_ldexp(num_abs(num_div(e[2], height)), -40);
+    return num_cmp(num_abs(num_div(e[0], num_sub(x[1], x[0]))), down) <= 0 &&
+           num_cmp(num_abs(num_div(e[1], num_sub(y[1], y[0]))), down) <= 0;
+}
+
 static void init_parallel(chart_t *c, const num_t x[2], const num_t y[2], const num_t z[2]) {
     const num_t *e = c->cam->eye;
     num_t flat = num_sqrt(num_add(num_mul(e[0], e[0]), num_mul(e[1], e[1])));
-    if (flat.undef || num_cmp(flat, num_ldexp(num_abs(e[2]), -40)) <= 0) {
+    if (flat.undef || looks_straight_down(e, x, y, z)) {
         c->kind = CHART_VERTICAL;
         for (int32_t i = 0; i < c->grid->nx; i++) c->column[i] = (chart_column_t){0};
         return;
@@ -189,17 +201,17 @@ void chart_init(chart_t *c, grid_t *g, const camera_t *cam, chart_column_t *colu
     set_height_shifts(c);
 }
 
-/* A height of the grid in the scale of w's numerator. */
-static inline int32_t scaled(const chart_t *c, int32_t zi) {
-    return (int32_t)((uint32_t)(zi >> c->z_down) << c->z_up);
+/* A height of the grid in the scale of w's numerator, plus s. Heights count from any point of the surface, so the first
+ * term may need 33 bits; the sum fits, and unsigned arithmetic gets it right. */
+static inline int32_t raised(const chart_t *c, int32_t zi, int32_t s) {
+    return (int32_t)(((uint32_t)(zi >> c->z_down) << c->z_up) + (uint32_t)s);
 }
 
 static void row_parallel(const chart_t *c, num_t y, chart_line_t *line) {
     num_t dy = num_sub(y, c->y_ref);
     int32_t q = -plane_fixed(num_mul(c->turn[0], dy), c->x_bits), t = -plane_fixed(num_mul(c->turn[1], dy), c->z_bits);
     for (int32_t i = 0; i < c->grid->nx; i++) {
-        int32_t z = scaled(c, line->at[i].w);
-        line->at[i] = (pencil_t){c->column[i].p + q, z + c->column[i].s + t};
+        line->at[i] = (pencil_t){c->column[i].p + q, raised(c, line->at[i].w, c->column[i].s + t)};
     }
 }
 
@@ -211,8 +223,7 @@ static void row_north(const chart_t *c, num_t y, chart_line_t *line) {
     const chart_column_t *column = c->column;
     line->r = r;
     for (int32_t i = 0; i < nx; i++) {
-        int32_t z = scaled(c, line->at[i].w);
-        line->at[i] = (pencil_t){plane_project(column[i].p + q, r), plane_project(z + s, r)};
+        line->at[i] = (pencil_t){plane_project(column[i].p + q, r), plane_project(raised(c, line->at[i].w, s), r)};
     }
 }
 
@@ -221,8 +232,7 @@ static void row_east(const chart_t *c, num_t y, chart_line_t *line) {
     if (c->sign < 0) q = -q;
     for (int32_t i = 0; i < c->grid->nx; i++) {
         const chart_column_t *k = &c->column[i];
-        int32_t z = scaled(c, line->at[i].w);
-        line->at[i] = (pencil_t){plane_project(k->p + q, k->r), plane_project(z + k->s, k->r)};
+        line->at[i] = (pencil_t){plane_project(k->p + q, k->r), plane_project(raised(c, line->at[i].w, k->s), k->r)};
     }
 }
 
@@ -261,7 +271,7 @@ static void row_around(const chart_t *c, num_t y, chart_line_t *line) {
     line->dy = dy;
     for (int32_t i = 0; i < c->grid->nx; i++) {
         const chart_column_t *k = &c->column[i];
-        int32_t dx = k->p, dz = scaled(c, line->at[i].w) + s;
+        int32_t dx = k->p, dz = raised(c, line->at[i].w, s);
         int sector = chart_sector(dx, dy);
         line->z[i] = dz;
         bool shown = false;
@@ -285,8 +295,10 @@ void chart_row(chart_t *c, int32_t j, chart_line_t *line) {
     for (int32_t i = 0; i < nx; i++) line->at[i].w = zi[i];
     switch (c->kind) {
     case CHART_PARALLEL:
-    case CHART_VERTICAL:
         row_parallel(c, y, line);
+        break;
+    case CHART_VERTICAL:
+        memset(line->at, 0, (size_t)nx * sizeof line->at[0]);
         break;
     case CHART_NORTH:
         row_north(c, y, line);
