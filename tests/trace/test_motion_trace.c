@@ -318,12 +318,12 @@ static void test_trembling(void **state) {
     machine_t m = default_machine();
     rig_drawing_t d = {0};
     seed = 3;
-    for (int stroke = 0; stroke < 40; stroke++) {
+    for (int stroke = 0; stroke < 100; stroke++) {
         double x = 20 + 10 * uniform(), y = 20 + 10 * uniform(), size = 0.05 * (1 << stroke % 5);
         rig_move(&d, x, y);
         for (int i = 0; i < 100; i++) {
-            double along = size * (0.1 + uniform()), across = size * uniform(), back = -0.006 * uniform();
-            bool on = i % 2;
+            double along = size * (0.1 + uniform()), across = size * uniform(), back = -0.004 * uniform();
+            bool on = i % 3;
             x += stroke % 2 ? along : on ? across : back;
             y += stroke % 2 ? on ? across : back : along;
             rig_draw(&d, x, y);
