@@ -41,7 +41,7 @@ void sim_set_clock(uint32_t now);
 typedef struct sim_counts {
     uint64_t deadlines; /* interrupts served */
     uint64_t past;      /* armed for a tick that had already gone by */
-    uint64_t edges;     /* pin changes */
+    uint64_t writes;    /* that changed a pin */
 } sim_counts_t;
 sim_counts_t sim_counts(void);
 

@@ -21,6 +21,9 @@ typedef struct vcd {
     void *ctx;
     int error;
     uint64_t last_tick;
+    uint64_t high_ns; /* the time without its last eight digits, and the others as text */
+    unsigned high_length;
+    char high_text[16];
     size_t used;
     char buffer[VCD_BUFFER + 128];
 } vcd_t;
