@@ -71,7 +71,7 @@ static void record(void *ctx, uint64_t tick, uint32_t pins, uint32_t changed) {
     tape->hash = (tape->hash ^ pins) * 1099511628211u;
 }
 
-static int feed(const rig_drawing_t *d, motion_t *motion) {
+int rig_feed(const rig_drawing_t *d, motion_t *motion) {
     pen_sink_t sink = motion_pen_sink(motion);
     int e = 0;
     for (size_t s = 0; s < d->strokes; s++)
@@ -93,7 +93,7 @@ rig_run_t rig_run(const rig_drawing_t *d, const machine_t *m, size_t bytes, void
     run.error = motion_init(&motion, m, memory, bytes);
     sim_record(record, &tape);
     if (!run.error) {
-        feed(d, &motion);
+        rig_feed(d, &motion);
         run.error = motion_finish(&motion, &run.stats);
     }
     sim_record(NULL, NULL);
@@ -108,7 +108,7 @@ double rig_estimate_s(const rig_drawing_t *d, const machine_t *m, size_t bytes) 
     motion_stats_t stats = {0};
     void *memory = malloc(bytes);
     if (!motion_init_estimate(&motion, m, memory, bytes)) {
-        feed(d, &motion);
+        rig_feed(d, &motion);
         motion_finish(&motion, &stats);
     }
     free(memory);

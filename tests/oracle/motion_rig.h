@@ -23,11 +23,14 @@ double rig_ideal_s(const rig_drawing_t *d, const machine_t *m);
 
 typedef struct rig_run {
     int error;
-    bool prepared;        /* faults may have been injected */
+    bool prepared; /* faults may have been injected */
     motion_stats_t stats;
     trace_t trace; /* trace_free */
     uint64_t hash; /* over ticks and pins of every change */
 } rig_run_t;
+
+/* Hands all strokes to an initialised motion. Returns the first error. */
+int rig_feed(const rig_drawing_t *d, motion_t *motion);
 
 /* Runs d with `bytes` of memory. Injected faults of the simulator must be set by `prepare`, if any. */
 rig_run_t rig_run(const rig_drawing_t *d, const machine_t *m, size_t bytes, void (*prepare)(void));

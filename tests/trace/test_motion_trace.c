@@ -7,11 +7,13 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
+#include <time.h>
 
 #include <cmocka.h>
 
 #include "error.h"
 #include "sim/sim.h"
+#include "sim/vcd.h"
 #include "tests/oracle/motion_rig.h"
 
 #define PI 3.14159265358979323846
@@ -443,6 +445,41 @@ static rig_drawing_t golden_drawing(int which) {
         }
     }
     return d;
+}
+
+static int to_nowhere(void *ctx, const char *text, size_t bytes) {
+    (void)text;
+    *(size_t *)ctx += bytes;
+    return 0;
+}
+
+/* Not judged, since machines differ: what simulating and estimating cost. */
+static void test_speed(void **state) {
+    (void)state;
+    static vcd_t vcd;
+    static uint64_t memory[MOTION_BYTES_HOST / 8];
+    rig_drawing_t d = golden_drawing(1), fine = curved(0.05, 0.15);
+    machine_t m = default_machine();
+    motion_t motion;
+    motion_stats_t stats;
+    size_t bytes = 0;
+    clock_t start = clock();
+    sim_reset();
+    assert_int_equal(motion_init(&motion, &m, memory, sizeof memory), 0);
+    vcd_begin(&vcd, to_nowhere, &bytes, &m, NULL, 0);
+    sim_record(vcd_record, &vcd);
+    rig_feed(&d, &motion);
+    assert_int_equal(motion_finish(&motion, &stats), 0);
+    vcd_end(&vcd, sim_now());
+    double simulated = (double)(clock() - start) / CLOCKS_PER_SEC;
+    start = clock();
+    for (int i = 0; i < 100; i++) rig_estimate_s(&fine, &m, MOTION_BYTES_HOST);
+    double estimated = (double)(clock() - start) / CLOCKS_PER_SEC;
+    printf("# simulator: %.1f M steps/s, VCD of %.0f MB written on the way; estimate: %.0f ns per segment\n",
+           (double)(stats.steps[0] + stats.steps[1]) / simulated * 1e-6, (double)bytes * 1e-6,
+           estimated / 100 / 2000 * 1e9);
+    rig_free(&d);
+    rig_free(&fine);
 }
 
 static void test_golden(void **state) {
