@@ -511,12 +511,19 @@ static void test_golden(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reference_drawings), cmocka_unit_test(test_every_step_on_time),
-        cmocka_unit_test(test_kinds_of_machine),   cmocka_unit_test(test_range_of_machines),
-        cmocka_unit_test(test_late_interrupts),    cmocka_unit_test(test_turns_between_steps),
-        cmocka_unit_test(test_trembling),          cmocka_unit_test(test_smallest_memory),
-        cmocka_unit_test(test_soft_limits),        cmocka_unit_test(test_impossible_machines),
-        cmocka_unit_test(test_nothing_to_draw),    cmocka_unit_test(test_golden),
+        cmocka_unit_test(test_reference_drawings),
+        cmocka_unit_test(test_every_step_on_time),
+        cmocka_unit_test(test_kinds_of_machine),
+        cmocka_unit_test(test_range_of_machines),
+        cmocka_unit_test(test_late_interrupts),
+        cmocka_unit_test(test_turns_between_steps),
+        cmocka_unit_test(test_trembling),
+        cmocka_unit_test(test_smallest_memory),
+        cmocka_unit_test(test_soft_limits),
+        cmocka_unit_test(test_impossible_machines),
+        cmocka_unit_test(test_nothing_to_draw),
+        cmocka_unit_test(test_golden),
+        cmocka_unit_test(test_speed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
