@@ -25,3 +25,14 @@ void kinematics_motors(const kinematics_t *k, page_point_t p, kinematics_pos_t o
     out[0] = u * k->scale[0];
     out[1] = v * k->scale[1];
 }
+
+page_point_t kinematics_page(const kinematics_t *k, const int32_t steps[2]) {
+    int64_t u = ((int64_t)steps[0] << KINEMATICS_STEP_BITS) / k->scale[0];
+    int64_t v = ((int64_t)steps[1] << KINEMATICS_STEP_BITS) / k->scale[1];
+    if (k->kind == MACHINE_COREXY) {
+        int64_t sum = u + v, difference = u - v;
+        u = sum / 2;
+        v = difference / 2;
+    }
+    return k->swap_xy ? (page_point_t){(int32_t)v, (int32_t)u} : (page_point_t){(int32_t)u, (int32_t)v};
+}

@@ -23,6 +23,8 @@ typedef struct kinematics {
 void kinematics_init(kinematics_t *k, const machine_t *m);
 /* |coordinates| < PLANNER_REACH_LAT. Exact. */
 void kinematics_motors(const kinematics_t *k, page_point_t p, kinematics_pos_t out[2]);
+/* The page point where the motors stand at these steps, rounded to lat. One division a motor. */
+page_point_t kinematics_page(const kinematics_t *k, const int32_t steps[2]);
 /* The step nearest to a position; halves go up. */
 static inline int32_t kinematics_round(kinematics_pos_t pos) {
     return (int32_t)((pos + ((int64_t)1 << (KINEMATICS_STEP_BITS - 1))) >> KINEMATICS_STEP_BITS);

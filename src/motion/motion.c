@@ -82,6 +82,20 @@ int motion_init_estimate(motion_t *m, const machine_t *machine, void *mem, size_
     return init(m, machine, mem, bytes, true);
 }
 
+void motion_start_at(motion_t *m, const int32_t steps[2]) {
+    m->at = kinematics_page(&m->kin, steps);
+    kinematics_motors(&m->kin, m->at, m->tracer.pos);
+    for (int i = 0; i < 2; i++) {
+        m->tracer.steps[i] = steps[i];
+        if (!m->estimate) stepgen_set_position(i, steps[i]);
+    }
+}
+
+void motion_on_wait(motion_t *m, void (*wait)(void *ctx), void *ctx) {
+    m->tracer.wait = wait;
+    m->tracer.wait_ctx = ctx;
+}
+
 static void trace(motion_t *m, bool ending) {
     planner_move_t mv;
     while (planner_take(&m->planner, ending, &mv)) tracer_move(&m->tracer, &mv);
@@ -149,10 +163,15 @@ static bool inside(const motion_t *m, page_point_t p) {
     return !(m->reach_lat[1] && (p.y_lat < 0 || p.y_lat > m->reach_lat[1]));
 }
 
+static int check(motion_t *m, page_point_t to) {
+    if (!m->error && !m->estimate && stepgen_halted()) m->error = ERR_STOPPED;
+    if (!m->error && !inside(m, to)) m->error = ERR_MACHINE;
+    return m->error;
+}
+
 static int move(void *ctx, page_point_t to) {
     motion_t *m = ctx;
-    if (m->error) return m->error;
-    if (!inside(m, to)) return m->error = ERR_MACHINE;
+    if (check(m, to)) return m->error;
     page_point_t here = m->pending_vertex ? m->vertex : m->at;
     m->pending_move = !(m->down && same(here, to));
     m->move_to = to;
@@ -161,8 +180,7 @@ static int move(void *ctx, page_point_t to) {
 
 static int draw(void *ctx, page_point_t to) {
     motion_t *m = ctx;
-    if (m->error) return m->error;
-    if (!inside(m, to)) return m->error = ERR_MACHINE;
+    if (check(m, to)) return m->error;
     if (m->pending_move || !m->started) travel(m, m->pending_move ? m->move_to : m->at);
     m->pending_move = false;
     if (!m->down) lower(m);
@@ -183,23 +201,35 @@ static uint32_t speed_um_s(const motion_t *m) {
     return root_u64((2 * peak_um_q8 * m->machine.accel_um_s2) >> 8);
 }
 
-int motion_finish(motion_t *m, motion_stats_t *stats) {
-    motion_stats_t *st = &m->stats;
-    if (m->started) {
-        travel(m, (page_point_t){0, 0});
-        tracer_wait(&m->tracer, 0, 0);
-        if (!m->estimate) {
-            stepgen_start();
-            while (!stepgen_idle()) hal_idle();
-            for (int i = 0; i < 2; i++) {
-                st->steps[i] = m->tracer.pulses[i];
-                st->position_steps[i] = stepgen_position(i);
-            }
-            st->starved = stepgen_starved();
-            st->late = stepgen_late();
-        }
-        m->started = false;
+int motion_travel(motion_t *m, page_point_t to) {
+    if (check(m, to)) return m->error;
+    m->pending_move = false;
+    travel(m, to);
+    return 0;
+}
+
+/* Until everything is stepped. */
+static void run_dry(motion_t *m) {
+    while (!stepgen_idle()) {
+        stepgen_start();
+        if (m->tracer.wait)
+            m->tracer.wait(m->tracer.wait_ctx);
+        else
+            hal_idle();
     }
+    for (int i = 0; i < 2; i++) {
+        m->stats.steps[i] = m->tracer.pulses[i];
+        m->stats.position_steps[i] = stepgen_position(i);
+    }
+    m->stats.starved = stepgen_starved();
+    m->stats.late = stepgen_late();
+    if (stepgen_halted() && !m->error) m->error = ERR_STOPPED;
+}
+
+static int end(motion_t *m, motion_stats_t *stats) {
+    motion_stats_t *st = &m->stats;
+    if (m->started && !m->estimate) run_dry(m);
+    m->started = false;
     st->down_lat = m->down_q3 / PLANNER_Q3_PER_LAT;
     st->up_lat = m->up_q3 / PLANNER_Q3_PER_LAT;
     st->ticks = (uint64_t)(m->tracer.clock_q16 >> 16);
@@ -207,4 +237,17 @@ int motion_finish(motion_t *m, motion_stats_t *stats) {
     st->forced = m->planner.forced;
     if (stats) *stats = *st;
     return m->error;
+}
+
+int motion_park(motion_t *m, motion_stats_t *stats) {
+    if (m->started) lift(m);
+    return end(m, stats);
+}
+
+int motion_finish(motion_t *m, motion_stats_t *stats) {
+    if (m->started) {
+        travel(m, (page_point_t){0, 0});
+        tracer_wait(&m->tracer, 0, 0);
+    }
+    return end(m, stats);
 }

@@ -69,11 +69,20 @@ int motion_init(motion_t *m, const machine_t *machine, void *mem, size_t bytes);
 /* The same planner without steps: motion_finish tells the time, lengths and lifts (steps stay 0). No hal call is made.
  * Cost: about 50 ns per segment on a desktop. */
 int motion_init_estimate(motion_t *m, const machine_t *machine, void *mem, size_t bytes);
+/* After motion_init: the motors stand at these steps instead of home; they stay on if they are. */
+void motion_start_at(motion_t *m, const int32_t steps[2]);
+/* After motion_init: wait is called instead of hal_idle() whenever the machine is waited for; it must call hal_idle().
+ */
+void motion_on_wait(motion_t *m, void (*wait)(void *ctx), void *ctx);
 /* Takes strokes. move and draw return 0, ERR_MACHINE (outside the machine's reach: nothing of the move is stepped; or
- * outside +-4 m) or the error of an earlier call. Context: main loop. */
+ * outside +-4 m), ERR_STOPPED (after stepgen_halt) or the error of an earlier call. Context: main loop. */
 pen_sink_t motion_pen_sink(motion_t *m);
+/* Pen up, straight to a point, as soon as what was given before is done. Errors as move. */
+int motion_travel(motion_t *m, page_point_t to);
+/* Lifts the pen and waits until everything is stepped. It stays where it is, motors on. As motion_finish otherwise. */
+int motion_park(motion_t *m, motion_stats_t *stats);
 /* Lifts the pen, goes home, waits until everything is stepped, switches the motors off; also after an error.
- * stats may be NULL. Returns 0 or the first error. */
+ * stats may be NULL. Returns 0 or the first error: ERR_STOPPED after stepgen_halt, which is where it then stays. */
 int motion_finish(motion_t *m, motion_stats_t *stats);
 
 #endif

@@ -9,6 +9,10 @@
 #include "hal/hal.h"
 
 #define LEAD_TICKS 160 /* from starting to the first piece: longer than it takes to get there */
+#define EARLY_TICKS 16 /* called earlier than this before the deadline: stepgen_hold() armed the timer */
+#define SLICE_TICKS (HAL_TICK_HZ / 2000) /* the speed is constant so long while time is stretched */
+#define SLICE (SLICE_TICKS / STEPGEN_SPEED_TICKS)
+#define ONE_Q16 (1u << 16)
 #define NEVER INT32_MAX
 
 typedef struct motor {
@@ -37,7 +41,17 @@ static struct {
     uint32_t set_at;
     bool rest;
     bool running; /* written by the main loop only while it is false */
+    bool halted;
     uint32_t starved, late;
+    /* Hold and resume. */
+    uint32_t speed; /* of the taken piece at its end */
+    int8_t slope;
+    bool hold;      /* wanted: written by the main loop only */
+    bool stretched; /* time runs slower than planned */
+    bool parked;    /* stretched for ever, and no deadline is armed */
+    uint32_t pace;  /* speed at the end of the slice, as speed is */
+    uint32_t slice_end;
+    uint32_t rate_q16, stretch_q16; /* planned time per time, and its inverse */
 } g;
 
 static const uint8_t STEP_PIN[2] = {HAL_X_STEP, HAL_Y_STEP};
@@ -104,6 +118,8 @@ static bool take(edges_t *e) {
     take_axis(e, 0, &p->axis[0]);
     take_axis(e, 1, &p->axis[1]);
     g.rest = p->rest;
+    g.speed = p->speed;
+    g.slope = p->slope;
     g.end += p->length;
     __atomic_store_n(&g.tail, tail + 1, __ATOMIC_RELEASE);
     return true;
@@ -118,26 +134,91 @@ static inline int32_t earlier(int32_t best, uint32_t at) {
     return in < best ? in : best;
 }
 
-static inline int32_t motor_deadline(int32_t best, const motor_t *a) {
-    if (a->high) return earlier(best, a->fall);
-    return a->left ? earlier(best, (uint32_t)(a->next_q32 >> 32)) : best;
+/* Puts off what the plan has still to come. */
+static void put_off(uint32_t ticks) {
+    g.motor[0].next_q32 += (uint64_t)ticks << 32;
+    g.motor[1].next_q32 += (uint64_t)ticks << 32;
+    g.set_at += ticks;
+    g.end += ticks;
 }
 
 static void slip(uint32_t late) {
-    for (int m = 0; m < 2; m++) {
-        g.motor[m].next_q32 += (uint64_t)late << 32;
-        g.motor[m].fall += late;
-    }
-    g.set_at += late;
-    g.end += late;
+    put_off(late);
+    g.motor[0].fall += late;
+    g.motor[1].fall += late;
+    g.slice_end += late;
     g.now += late;
     g.late++;
+}
+
+/* How fast the plan is now. The taken piece may begin a little later: its law is then followed backwards. */
+static uint32_t planned_speed(void) {
+    int32_t left = (int32_t)(g.end - g.now) / STEPGEN_SPEED_TICKS;
+    int32_t speed = (int32_t)g.speed - g.slope * left;
+    return speed > 0 ? (uint32_t)speed : 0;
+}
+
+/* speed / planned, for speed < planned; both are cut to 16 bits first. */
+static uint32_t ratio_q16(uint32_t speed, uint32_t planned) {
+    while (planned >= ONE_Q16) {
+        planned >>= 1;
+        speed >>= 1;
+    }
+    uint32_t q16 = (speed << 16) / planned;
+    return q16 ? q16 : 1;
+}
+
+/* The speed of the next slice: that of its middle. Ends stretching when the plan's speed has been reached; false when
+ * it is standstill. */
+static bool next_slice(void) {
+    uint32_t planned = planned_speed();
+    if (!g.stretched || g.pace > planned) g.pace = planned;
+    g.stretched = true;
+    g.slice_end = g.now + SLICE_TICKS;
+    uint32_t middle = g.pace + SLICE / 2;
+    if (g.hold) {
+        if (g.pace <= SLICE / 2) return false;
+        middle = g.pace - SLICE / 2;
+        g.pace = g.pace > SLICE ? g.pace - SLICE : 0;
+    } else {
+        g.pace += SLICE;
+        if (middle >= planned) g.stretched = false;
+    }
+    if (g.stretched) {
+        g.rate_q16 = ratio_q16(middle, planned);
+        g.stretch_q16 = UINT32_MAX / g.rate_q16;
+    }
+    return true;
+}
+
+/* When the interrupt is next wanted, if pulses end after `fall` and the plan goes on after `plan` ticks of its own. */
+static int32_t stretched(int32_t fall, int32_t plan) {
+    if (!g.stretched || !hal_before(g.now, g.slice_end)) {
+        if (!next_slice()) return fall;
+        if (!g.stretched) return plan < fall ? plan : fall;
+    }
+    uint32_t in = g.slice_end - g.now;
+    if (fall < (int32_t)in) in = fall < 0 ? 0 : (uint32_t)fall;
+    uint32_t planned = plan < 0 ? 0 : (uint32_t)plan;
+    uint64_t then = ((uint64_t)planned * g.stretch_q16) >> 16;
+    if (plan != NEVER && then <= in) {
+        put_off((uint32_t)then - planned);
+        return (int32_t)then;
+    }
+    put_off(in - (uint32_t)(((uint64_t)in * g.rate_q16) >> 16));
+    return (int32_t)in;
+}
+
+static void stop_running(void) {
+    __atomic_store_n(&g.running, false, __ATOMIC_RELEASE);
 }
 
 void stepgen_isr(void) {
     edges_t e = {0, 0};
     uint32_t actual = hal_now();
+    if (g.halted) return;
     if ((int32_t)(actual - g.now) > (int32_t)g.slack) slip(actual - g.now);
+    if ((int32_t)(g.now - actual) > EARLY_TICKS) g.now = actual;
 
     run_motor(&e, 0, actual);
     run_motor(&e, 1, actual);
@@ -151,15 +232,29 @@ void stepgen_isr(void) {
     while (piece_done() && more) more = take(&e);
     if (e.mask) hal_pins_write(e.mask, e.value);
 
-    int32_t in = motor_deadline(motor_deadline(NEVER, &g.motor[0]), &g.motor[1]);
-    if (g.set_pins) in = earlier(in, g.set_at);
-    if (in == NEVER) {
+    int32_t fall = NEVER, plan = NEVER;
+    for (int m = 0; m < 2; m++) {
+        const motor_t *a = &g.motor[m];
+        if (a->high)
+            fall = earlier(fall, a->fall);
+        else if (a->left)
+            plan = earlier(plan, (uint32_t)(a->next_q32 >> 32));
+    }
+    if (g.set_pins) plan = earlier(plan, g.set_at);
+    if (fall == NEVER && plan == NEVER) {
         if (!hal_before(g.now, g.end)) { /* ran dry */
             if (!g.rest || (g.pins & HAL_PEN)) g.starved++;
-            __atomic_store_n(&g.running, false, __ATOMIC_RELEASE);
+            g.stretched = false;
+            stop_running();
             return;
         }
-        in = earlier(in, g.end); /* look again when the piece is over */
+        plan = earlier(plan, g.end); /* look again when the piece is over */
+    }
+    int32_t in = plan < fall ? plan : fall;
+    if (g.hold || g.stretched) in = stretched(fall, plan);
+    if (in == NEVER) { /* held */
+        __atomic_store_n(&g.parked, true, __ATOMIC_RELEASE);
+        return;
     }
     if (in < 0) { /* planned for a time that had gone by when its piece was taken */
         g.late++;
@@ -171,13 +266,16 @@ void stepgen_isr(void) {
 
 void stepgen_init(stepgen_piece_t *queue, uint32_t slots, uint32_t pulse_ticks) {
     hal_timer_cancel();
-    hal_pins_write(HAL_X_STEP | HAL_X_DIR | HAL_Y_STEP | HAL_Y_DIR | HAL_PEN | HAL_ENABLE, 0);
+    hal_pins_write(HAL_X_STEP | HAL_X_DIR | HAL_Y_STEP | HAL_Y_DIR | HAL_PEN, 0);
     g.queue = queue;
     g.mask = slots - 1;
     g.head = g.tail = 0;
     g.pulse = pulse_ticks;
     g.slack = pulse_ticks / 2;
-    g.set_pins = g.running = false;
+    g.set_pins = g.running = g.halted = false;
+    g.hold = g.stretched = g.parked = false;
+    g.speed = 0;
+    g.slope = 0;
     g.pins = 0;
     g.rest = true;
     g.starved = g.late = 0;
@@ -186,6 +284,7 @@ void stepgen_init(stepgen_piece_t *queue, uint32_t slots, uint32_t pulse_ticks) 
 
 stepgen_piece_t *stepgen_slot(void) {
     uint32_t head = g.head;
+    if (g.halted) g.tail = head; /* nobody else writes it then */
     if (head - __atomic_load_n(&g.tail, __ATOMIC_ACQUIRE) > g.mask) return 0;
     return &g.queue[head & g.mask];
 }
@@ -195,14 +294,14 @@ void stepgen_push(void) {
 }
 
 void stepgen_start(void) {
-    if (__atomic_load_n(&g.running, __ATOMIC_ACQUIRE) || g.head == g.tail) return;
+    if (g.halted || g.hold || __atomic_load_n(&g.running, __ATOMIC_ACQUIRE) || g.head == g.tail) return;
     g.running = true;
     g.now = g.end = hal_now() + LEAD_TICKS;
     hal_timer_arm(g.now);
 }
 
 bool stepgen_idle(void) {
-    return !__atomic_load_n(&g.running, __ATOMIC_ACQUIRE) && g.head == g.tail;
+    return g.halted || (!__atomic_load_n(&g.running, __ATOMIC_ACQUIRE) && g.head == g.tail);
 }
 int32_t stepgen_position(int motor) {
     return g.motor[motor].moved;
@@ -212,4 +311,51 @@ uint32_t stepgen_starved(void) {
 }
 uint32_t stepgen_late(void) {
     return g.late;
+}
+
+void stepgen_set_position(int motor, int32_t steps) {
+    g.motor[motor].moved = steps;
+}
+
+/* The interrupt sees g.hold at its next deadline, and while time is stretched every half millisecond. A deadline that
+ * is farther away than that is brought forward. */
+void stepgen_hold(void) {
+    if (g.hold) return;
+    __atomic_store_n(&g.hold, true, __ATOMIC_SEQ_CST);
+    uint32_t now = hal_now();
+    if (__atomic_load_n(&g.running, __ATOMIC_ACQUIRE) && hal_before(now + SLICE_TICKS, g.now)) hal_timer_arm(now);
+}
+
+void stepgen_resume(void) {
+    __atomic_store_n(&g.hold, false, __ATOMIC_SEQ_CST);
+    if (!__atomic_load_n(&g.parked, __ATOMIC_ACQUIRE)) {
+        stepgen_start();
+        return;
+    }
+    g.parked = false;
+    uint32_t now = hal_now() + LEAD_TICKS;
+    put_off(now - g.now);
+    g.now = g.slice_end = now;
+    g.pace = 0;
+    hal_timer_arm(now);
+}
+
+bool stepgen_holding(void) {
+    return g.hold;
+}
+bool stepgen_held(void) {
+    return g.hold && (__atomic_load_n(&g.parked, __ATOMIC_ACQUIRE) || !__atomic_load_n(&g.running, __ATOMIC_ACQUIRE));
+}
+
+void stepgen_halt(bool motors_on) {
+    hal_timer_cancel();
+    g.halted = true;
+    hal_pins_write(HAL_X_STEP | HAL_Y_STEP | HAL_PEN | (motors_on ? 0 : HAL_ENABLE), 0);
+    g.set_pins = g.hold = g.stretched = g.parked = false;
+    g.tail = g.head;
+    stop_running();
+}
+
+bool stepgen_halted(void) {
+    return g.halted;
 }

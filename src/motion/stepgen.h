@@ -13,6 +13,12 @@
  * last step of one direction and the first of the other. Served late by more than half a pulse width, the interrupt
  * slips everything still to come, so widths, set-up and intervals stay legal and no step is lost.
  *
+ * Hold and resume stretch time: each piece says how fast the pen is (as the time v/a that a stop takes), so the
+ * interrupt can let the speed fall by one unit of that time in each unit of time, which is the acceleration itself.
+ * Half a millisecond at a time it compares the speed wanted with the plan's, and what is still to come is put off by
+ * what the ratio leaves. The steps and their order stay those of the plan; a stop takes v/a and v^2/2a. The pen never
+ * brakes harder than the plan does, so it is never faster than the plan at that place either.
+ *
  * Queue: single producer (main loop), single consumer (interrupt); each index has one writer and a slot is
  * written before its index is released. */
 #ifndef STEPGEN_H
@@ -32,24 +38,43 @@ typedef struct stepgen_axis_piece {
 typedef struct stepgen_piece {
     stepgen_axis_piece_t axis[2];
     uint32_t length; /* ticks, below 2^30; no pulse begins later than this */
+    uint32_t speed;  /* of the pen at the end, as v/a in STEPGEN_SPEED_TICKS; 0: at rest */
+    int8_t slope;    /* 1: speeding up at the machine's acceleration, 0: keeping its speed, -1: slowing down */
     bool set_pins;   /* at the start of the piece write pen and enable; such a piece has no steps */
     uint8_t pins;    /* HAL_PEN, HAL_ENABLE */
     bool rest;       /* the machine stands still at the end: running dry there is no fault */
 } stepgen_piece_t;
 
-/* queue: slots pieces, a power of two, the caller's until the next init. Stops what runs and clears all pins.
- * Context: main loop. */
+#define STEPGEN_SPEED_TICKS 16
+
+/* queue: slots pieces, a power of two, the caller's until the next init. Stops what runs and clears all
+ * pins, but motors that are on stay on. Positions begin at 0. Context: main loop. */
 void stepgen_init(stepgen_piece_t *queue, uint32_t slots, uint32_t pulse_ticks);
 /* The slot to fill next, or NULL when the queue is full. Context: main loop. */
 stepgen_piece_t *stepgen_slot(void);
 /* Hands the filled slot to the interrupt. Context: main loop. */
 void stepgen_push(void);
-/* Starts the interrupt if it stands still and there is something to do. Context: main loop. */
+/* Starts the interrupt if it stands still and there is something to do, unless held. Context: main loop. */
 void stepgen_start(void);
-/* True when every piece has been carried out. */
+/* True when every piece has been carried out, or after a halt. */
 bool stepgen_idle(void);
-/* Pulses counted at the pins, with sign. Exact when idle. */
+/* Pulses counted at the pins, with sign. Exact when idle or held. */
 int32_t stepgen_position(int motor);
+/* What the count begins at: after stepgen_init only. */
+void stepgen_set_position(int motor, int32_t steps);
+
+/* Brakes to a standstill along the path, or stays where it is; the pen is left as it is. Context: main loop. */
+void stepgen_hold(void);
+/* Goes on where it was held, from rest, or speeds up again when still braking. Context: main loop. */
+void stepgen_resume(void);
+/* A hold is wanted (and not yet resumed); the machine stands because of it. */
+bool stepgen_holding(void);
+bool stepgen_held(void);
+/* Stops within the step under way, pen up, motors left on or switched off, and forgets the queue. From then on pieces
+ * are taken and forgotten at once, until stepgen_init. Away from rest the position is lost: a motor may run on.
+ * Context: any that stepgen_isr() cannot interrupt or be interrupted by; main loop when held or idle. */
+void stepgen_halt(bool motors_on);
+bool stepgen_halted(void);
 /* Times the queue ran dry away from a rest; deadlines that made the plan slip or came after their time. */
 uint32_t stepgen_starved(void);
 uint32_t stepgen_late(void);

@@ -29,6 +29,7 @@ typedef struct span { /* one of the three parts of a line, and its time law */
     enum kind kind;
     int64_t from_q16, to_q16; /* distances along the line */
     int64_t base_q16;         /* ticks */
+    int64_t speed_q16;        /* cruise: as time to a stop */
     int64_t height_q16;       /* up: height at s = 0; down: height at s = 0 of the mirrored law, h = height - s */
 } span_t;
 
@@ -91,25 +92,41 @@ static int64_t time_q16(const tracer_t *t, const span_t *sp, int64_t s_q16) {
     }
 }
 
-static stepgen_piece_t *wait_for_slot(void) {
+static stepgen_piece_t *wait_for_slot(const tracer_t *t) {
     stepgen_piece_t *p;
     while (!(p = stepgen_slot())) {
         stepgen_start();
-        hal_idle();
+        if (t->wait)
+            t->wait(t->wait_ctx);
+        else
+            hal_idle();
     }
     return p;
 }
 
-/* Hands over a piece without steps that ends at tick `end`. */
-static void push_empty(tracer_t *t, int64_t end_tick) {
+/* Speed at a moment of a span, as the time that a stop from it takes. */
+static void set_speed(stepgen_piece_t *p, const span_t *sp, int64_t time_q16) {
+    static const int8_t SLOPE[] = {[UP] = 1, [CRUISE] = 0, [DOWN] = -1};
+    int64_t speed_q16 = sp->kind == UP     ? time_q16 - sp->base_q16
+                        : sp->kind == DOWN ? sp->base_q16 - time_q16
+                                           : sp->speed_q16;
+    p->speed = speed_q16 > 0 ? (uint32_t)(speed_q16 / (STEPGEN_SPEED_TICKS << 16)) : 0;
+    p->slope = SLOPE[sp->kind];
+}
+
+/* Hands over a piece without steps that ends at tick `end`; sp may be NULL: at rest. */
+static void push_empty(tracer_t *t, const span_t *sp, int64_t end_tick) {
     while (end_tick > t->piece_tick) {
         int64_t length = end_tick - t->piece_tick;
         if (length > GAP_MAX_TICKS) length = GAP_MAX_TICKS;
-        stepgen_piece_t *p = wait_for_slot();
+        stepgen_piece_t *p = wait_for_slot(t);
         p->axis[0].count = p->axis[1].count = 0;
         p->set_pins = false;
         p->rest = true;
         p->length = (uint32_t)length;
+        p->speed = 0;
+        p->slope = 0;
+        if (sp) set_speed(p, sp, (t->piece_tick + length) << 16);
         stepgen_push();
         t->piece_tick += length;
     }
@@ -156,18 +173,19 @@ static uint32_t steps_before(const axis_t *a, int64_t to_q16) {
 static void push_piece(tracer_t *t, const span_t *sp, axis_t axis[2], int64_t to_q16, bool last, bool rest) {
     uint32_t count[2];
     for (int m = 0; m < 2; m++) count[m] = last ? axis[m].left : steps_before(&axis[m], to_q16);
-    int64_t end = time_q16(t, sp, to_q16) >> 16;
+    int64_t end_q16 = time_q16(t, sp, to_q16), end = end_q16 >> 16;
     if (!(count[0] | count[1])) { /* its time joins the next piece's */
-        if (rest || end - t->piece_tick > GAP_MAX_TICKS) push_empty(t, end);
+        if (rest || end - t->piece_tick > GAP_MAX_TICKS) push_empty(t, sp, end);
         return;
     }
-    stepgen_piece_t *p = wait_for_slot();
+    stepgen_piece_t *p = wait_for_slot(t);
     for (int m = 0; m < 2; m++) {
         fit(t, sp, &axis[m], m, count[m], &p->axis[m]);
         axis[m].next_q16 += count[m] * axis[m].pitch_q16;
         axis[m].left -= count[m];
     }
     p->length = (uint32_t)(end - t->piece_tick);
+    set_speed(p, sp, end_q16);
     p->set_pins = false;
     p->rest = rest;
     t->piece_tick = end;
@@ -262,9 +280,9 @@ void tracer_move(tracer_t *t, const planner_move_t *mv) {
         t->steps[m] = goal;
     }
     bool has_cruise = fall > risen, has_down = fall < length;
-    span_t up = {UP, 0, risen, start - t_in, in};
-    span_t cruise = {CRUISE, risen, fall, at_top, 0};
-    span_t down = {DOWN, fall, length, leave_top + t_peak, out + length};
+    span_t up = {UP, 0, risen, start - t_in, 0, in};
+    span_t cruise = {CRUISE, risen, fall, at_top, t_peak, 0};
+    span_t down = {DOWN, fall, length, leave_top + t_peak, 0, out + length};
     trace_span(t, &up, axis, !has_cruise && !has_down, false);
     if (has_cruise) trace_span(t, &cruise, axis, !has_down, false);
     if (has_down) trace_span(t, &down, axis, true, mv->last);
@@ -278,13 +296,15 @@ void tracer_wait(tracer_t *t, uint32_t wait_us, uint8_t pins) {
     int64_t start = (t->clock_q16 + 0xffff) >> 16;
     t->clock_q16 = (start + ticks) << 16;
     if (t->estimate) return;
-    push_empty(t, start);
-    stepgen_piece_t *p = wait_for_slot();
+    push_empty(t, NULL, start);
+    stepgen_piece_t *p = wait_for_slot(t);
     p->axis[0].count = p->axis[1].count = 0;
+    p->speed = 0;
+    p->slope = 0;
     p->set_pins = p->rest = true;
     p->pins = pins;
     p->length = 1;
     stepgen_push();
     t->piece_tick = start + 1;
-    push_empty(t, start + ticks);
+    push_empty(t, NULL, start + ticks);
 }

@@ -10,7 +10,7 @@
  * round less than TRACER_TURN beyond such a half, the step and its way back are both left out: they would follow
  * each other within microseconds. So the path is within 0.85 of a step per motor at such a turn, 0.5 elsewhere.
  *
- * Context: main loop. Blocks through hal_idle() while the queue is full. */
+ * Context: main loop. Blocks while the queue is full, through hal_idle() or what `wait` does instead. */
 #ifndef TRACER_H
 #define TRACER_H
 
@@ -20,7 +20,9 @@
 
 typedef struct tracer {
     const kinematics_t *kin;
-    bool estimate;            /* only time is wanted */
+    bool estimate;           /* only time is wanted */
+    void (*wait)(void *ctx); /* called while the queue is full; NULL: hal_idle() */
+    void *wait_ctx;
     uint32_t root_q20;        /* T(h) = root_q20 * sqrt(h) in the units of tracer.c */
     uint32_t min_gap_ticks;   /* between two pulses of a motor */
     int64_t clock_q16;        /* ticks planned so far, up to where the last line ended */
