@@ -1,4 +1,4 @@
-/* session.c - lines and files of lines: continuation, `load`, inline data, reports of errors.
+/* session.c - lines and files of lines: continuation, `load`, inline data, the small stack of files.
  *
  * The bottom frame is fed by session_line(), those above it by files. run() executes the top frame's line command by
  * command, replaces it by the file's next line, or takes the frame away at the end of the file; so `load` in the
@@ -6,7 +6,7 @@
 #include "lang/session.h"
 #include "lang/session_parts.h"
 
-static session_frame_t *top(session_t *s) {
+session_frame_t *session_top(session_t *s) {
     return &s->frame[s->frames - 1];
 }
 
@@ -45,119 +45,15 @@ enum session_state session_state(const session_t *s) {
     return s->frame[0].more ? SESSION_MORE : SESSION_READY;
 }
 
-bool session_at_end(const lexer_t *lx) {
-    return lx->tok.kind == TOKEN_END || lx->tok.kind == ';';
-}
-
-int session_expect_end(session_t *s, const lexer_t *lx) {
-    return session_at_end(lx) ? 0 : lexer_unexpected(lx, &s->error, "the end of the command expected");
-}
-
-void session_skip(lexer_t *lx) {
-    while (!session_at_end(lx)) lexer_next(lx);
-}
-
-int session_fail(session_t *s, const lexer_t *lx, int code, const char *message) {
-    return lang_error_set(&s->error, code, lexer_column(lx), message);
-}
-
-int session_string(session_t *s, lexer_t *lx, char *out, size_t size, const char *expected) {
-    if (lx->tok.kind != TOKEN_STRING) return lexer_unexpected(lx, &s->error, expected);
-    if (lexer_string(lx, out, size) < 0)
-        return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "too long for its buffer",
-                                     (int32_t)size - 1);
-    lexer_next(lx);
-    return 0;
-}
-
-void session_warn(session_t *s, const char *what, const char *word, size_t len, const char *why) {
-    char buf[160];
-    text_t t = text_start(buf, sizeof buf - 1);
-    const session_frame_t *f = top(s);
-    if (f->name) {
-        text_add(&t, "\"");
-        text_add(&t, f->name);
-        text_add(&t, "\", ");
-    }
-    if (f->first_line) {
-        text_add(&t, "line ");
-        text_add_int(&t, f->first_line);
-        text_add(&t, ": ");
-    }
-    text_add(&t, "warning: ");
-    text_add(&t, what);
-    text_add_bytes(&t, word, len);
-    text_add(&t, why);
-    t.size++; /* the line feed was kept back */
-    text_add(&t, "\n");
-    s->port->warn(s->port->ctx, buf);
-}
-
-void session_warn_once(session_t *s, uint8_t *bits, int index, const char *what, const lexer_t *lx, const char *why) {
-    uint8_t bit = (uint8_t)(1u << (index & 7));
-    if (bits[index >> 3] & bit) return;
-    bits[index >> 3] |= bit;
-    session_warn(s, what, lexer_text(lx), lx->tok.len, why);
-}
-
-/* The error's column counts in the joined line; people want the physical line and its own column. */
-static void place_error(session_t *s, const char **text, size_t *len) {
-    lang_error_t *e = &s->error;
-    const session_frame_t *f = top(s);
-    if (s->in_last) {
-        *text = s->last;
-        *len = strlen(s->last);
-        e->line = f->first_line;
-        return;
-    }
-    uint32_t start = 0, end = f->len;
-    int32_t k = 0;
-    while (k < f->joins && e->column > f->join[k]) start = f->join[k++];
-    if (k < f->joins) end = f->join[k];
-    *text = f->text + start;
-    *len = end - start;
-    if (e->column > 0) e->column -= (int32_t)start;
-    e->line = f->first_line + k;
-}
-
-static void report(session_t *s, const char *name, const char *text, size_t len) {
-    char buf[LANG_PICTURE_MAX];
-    size_t n = lang_error_picture(&s->error, text, len, buf, sizeof buf);
-    while (n > 0 && buf[n - 1] == '\n') buf[--n] = '\0';
-    size_t last = n;
-    while (last > 0 && buf[last - 1] != '\n') last--;
-    const session_port_t *port = s->port;
-    char reason[LANG_ERROR_MAX + 48];
-    text_t t = text_start(reason, sizeof reason - 1);
-    text_add(&t, buf + last);
-    t.size++;
-    text_add(&t, "\n");
-    buf[last] = '\0';
-    port->warn(port->ctx, buf);
-    if (name) {
-        port->warn(port->ctx, "\"");
-        port->warn(port->ctx, name);
-        port->warn(port->ctx, "\", ");
-    }
-    port->warn(port->ctx, reason);
-}
-
 static void pop(session_t *s) {
-    s->port->close(s->port->ctx, top(s)->handle);
+    s->port->close(s->port->ctx, session_top(s)->handle);
     s->frames--;
 }
 
 /* Reports err and forgets what was under way. */
 static int give_up(session_t *s, int err) {
     if (s->error.code != err) lang_error_set(&s->error, err, 0, error_text(err));
-    if (s->error.line == 0) { /* in the text, not in data */
-        const char *text;
-        size_t len;
-        place_error(s, &text, &len);
-        report(s, top(s)->name, text, len);
-    } else {
-        report(s, s->plot.waiting ? top(s)->name : s->frame_name[0], "", 0);
-    }
+    session_report(s);
     while (s->frames > 1) pop(s);
     forget_line(&s->frame[0]);
     if (s->in_last) s->last[s->last_len] = '\0'; /* what replot added is wrong */
@@ -264,7 +160,7 @@ static int file_data(session_t *s, session_frame_t *f) {
 
 static int run(session_t *s) {
     for (;;) {
-        session_frame_t *f = top(s);
+        session_frame_t *f = session_top(s);
         int err = 0;
         if (s->quit) {
             while (s->frames > 1) pop(s);

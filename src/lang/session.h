@@ -5,8 +5,8 @@
  * Nothing is drawn if any part of a plot command is wrong, and a line is executed command by command: what stands
  * before a wrong command has been done.
  *
- * Memory: sizeof(session_t) with the desktop's capacities is about 50 KB, most of it lang_t (names.h) and the line
- * buffers (config.h). Context: main loop only. No recursion: `load` has its own small stack of files. */
+ * Memory: sizeof(session_t) is 64 KB with the desktop's capacities, half of it lang_t (names.h), and 6 KB with a small
+ * board's (config.h). Context: main loop only. No recursion: `load` has its own small stack of files. */
 #ifndef SESSION_H
 #define SESSION_H
 

@@ -8,7 +8,10 @@
 #include "lang/session.h"
 #include "lang/text.h"
 
-/* session.c */
+/* session.c: the source of lines that is read now */
+session_frame_t *session_top(session_t *s);
+/* session_report.c: tells s->error */
+void session_report(session_t *s);
 /* Is the current token the end of a command? */
 bool session_at_end(const lexer_t *lx);
 /* ERR_SYNTAX unless it is. */
@@ -43,6 +46,11 @@ int set_range(session_t *s, lexer_t *lx, range_t *r, lexer_t *name);
 int set_range_option(session_t *s, lexer_t *lx, range_t *r);
 int set_autoscale(session_t *s, lexer_t *lx);
 
+/* set_text.c; index, word: of `datafile`, for its warning */
+int set_title(session_t *s, lexer_t *lx);
+int set_dummy(session_t *s, lexer_t *lx);
+int set_datafile(session_t *s, lexer_t *lx, int index, const lexer_t *word);
+
 /* set_view.c, set_page.c, set_machine.c */
 int set_view(session_t *s, lexer_t *lx);
 int set_hidden3d(session_t *s, lexer_t *lx);
@@ -57,7 +65,16 @@ int help_command(session_t *s, lexer_t *lx);
 
 /* plot_parse.c: the whole command becomes s->plot.source[]; nothing is read or drawn. lx: behind the command's word. */
 int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind);
+/* plot_data.c: start reading the data of src; the data of source[next] are complete; the reader's error, in the data's
+ * own lines; a whole file. */
+void plot_data_start(session_t *s, session_source_t *src, bool inline_data, int32_t first_line);
+int plot_data_done(session_t *s);
+int plot_data_failed(session_t *s, const session_source_t *src, int err);
+int plot_data_read(session_t *s, session_source_t *src);
+/* plot_items.c: fills s->plot.item[]; the number of items, or an error. */
+int plot_items(session_t *s);
 /* plot_run.c */
+int plot_fail(session_t *s, const session_source_t *src, int code, const char *message); /* at src's column */
 int plot_command(session_t *s, lexer_t *lx, enum plot_kind kind, const lexer_t *word);
 int plot_replot(session_t *s, lexer_t *lx);
 /* Inline data, any number of characters. *stopped: the line `e` was among them, and the plot went on or is done. */

@@ -1,0 +1,115 @@
+/* plot_items.c - from the elements of a plot command to surfaces and curves: over which ranges, how many points. */
+#include "lang/session_parts.h"
+
+/* The extent of one set of data along x (k = 0) or y. */
+static void set_extent(session_t *s, int32_t i, int k, num_t out[2]) {
+    data_view_t v;
+    surface_t u;
+    curve_t c;
+    if (s->plot.kind == PLOT_CURVES) {
+        data_curve_get(&s->plot.curve[i], &c, out);
+    } else {
+        data_grid_surface(&s->plot.grid[i], NULL, NULL, &v, &u);
+        out[0] = k ? u.y_of(&v, 0) : u.x_of(&v, 0);
+        out[1] = k ? u.y_of(&v, u.ny - 1) : u.x_of(&v, u.nx - 1);
+    }
+}
+
+/* The extent of all data, in which functions beside them are drawn. */
+static bool data_extent(session_t *s, int k, num_t out[2]) {
+    for (int32_t i = 0; i < s->plot.grids; i++) {
+        num_t e[2];
+        set_extent(s, i, k, e);
+        if (i == 0 || num_cmp(e[0], out[0]) < 0) out[0] = e[0];
+        if (i == 0 || num_cmp(e[1], out[1]) > 0) out[1] = e[1];
+    }
+    return s->plot.grids > 0;
+}
+
+/* Where functions are drawn along axis k: the range, its automatic ends being those of the data, else -10 and 10. */
+static int function_range(session_t *s, int k, num_t *lo, num_t *hi) {
+    const range_t *r = &s->plot.range[k];
+    num_t all[2] = {num_from_i64(-10), num_from_i64(10)};
+    data_extent(s, k, all);
+    *lo = r->auto_lo ? all[0] : r->lo;
+    *hi = r->auto_hi ? all[1] : r->hi;
+    if (num_cmp(*lo, *hi) < 0) return 0;
+    return plot_fail(s, &s->plot.source[0], ERR_VALUE, k ? "the y range is empty" : "the x range is empty");
+}
+
+/* The limits that data are cut to, for a range with one or two ends set. */
+static const num_t *data_limits(session_t *s, int k, num_t out[2]) {
+    const range_t *r = &s->plot.range[k];
+    if ((r->auto_lo && r->auto_hi) || !data_extent(s, k, out)) return NULL;
+    /* A border written as 2.0000001 is still inside of [-2:2]. */
+    num_t slack = num_ldexp(num_sub(out[1], out[0]), -20);
+    if (!r->auto_lo) out[0] = num_sub(r->lo, slack);
+    if (!r->auto_hi) out[1] = num_add(r->hi, slack);
+    return out;
+}
+
+static int function_item(session_t *s, const session_source_t *src, session_work_t *work, plot_item_t *item,
+                         const num_t lo[2], const num_t hi[2]) {
+    const int32_t *iso = s->settings.isosamples, *samples = s->settings.samples;
+    const int32_t along_x[2] = {samples[0], iso[1]}, along_y[2] = {iso[0], samples[1]};
+    expr_source_t *source = &work->expr.source;
+    expr_surface_source(source, &s->lang, &src->expr);
+    int err;
+    if (s->plot.kind == PLOT_CURVES) {
+        err = expr_surface_curve(&work->expr.grid, source, lo[0], hi[0], samples[0], &item->curve);
+    } else {
+        err = expr_surface_grid(&work->expr.grid, source, lo, hi, iso, &item->surface);
+        if (!err) err = expr_surface_grid(&work->expr.rows, source, lo, hi, along_x, &item->rows);
+        if (!err) err = expr_surface_grid(&work->expr.cols, source, lo, hi, along_y, &item->cols);
+        item->z_at = expr_surface_z_at;
+    }
+    return err ? plot_fail(s, src, err, "the x or y range is too narrow") : 0;
+}
+
+static int data_item(session_t *s, const session_source_t *src, const data_grid_t *grid, session_work_t *work,
+                     plot_item_t *item) {
+    num_t x[2], y[2];
+    int err = data_grid_surface(grid, data_limits(s, 0, x), data_limits(s, 1, y), &work->data, &item->surface);
+    if (err) return plot_fail(s, src, err, "fewer than 2 x 2 of these points are within the x and y ranges");
+    item->rows = item->cols = item->surface;
+    item->z_at = NULL;
+    return 0;
+}
+
+/* All elements as items; the number of them or an error. */
+int plot_items(session_t *s) {
+    int n = 0;
+    num_t lo[2], hi[2];
+    if (s->plot.kind == PLOT_MESH) {
+        const session_source_t *src = &s->plot.source[0];
+        s->plot.item[0] = (plot_item_t){.title = src->title, .title_len = src->title_len, .mesh = s->plot.mesh};
+        return 1;
+    }
+    bool function = false;
+    for (int32_t k = 0; k < s->plot.sources; k++) function |= s->plot.source[k].kind == SOURCE_EXPR;
+    for (int k = 0; function && k < (s->plot.kind == PLOT_CURVES ? 1 : 2); k++) { /* y is no variable of curves */
+        int err = function_range(s, k, &lo[k], &hi[k]);
+        if (err) return err;
+    }
+    for (int32_t k = 0; k < s->plot.sources; k++) {
+        const session_source_t *src = &s->plot.source[k];
+        bool data = src->kind != SOURCE_EXPR;
+        for (int32_t g = 0; g < (data ? src->grids : 1); g++, n++) {
+            if (n == CONFIG_PLOT_ITEMS)
+                return lang_error_set_number(&s->error, ERR_FULL, src->column, "too much for one plot; most surfaces",
+                                             CONFIG_PLOT_ITEMS);
+            plot_item_t *item = &s->plot.item[n];
+            item->title = src->title;
+            item->title_len = src->title_len;
+            int err = 0;
+            if (data && s->plot.kind == PLOT_CURVES)
+                data_curve_get(&s->plot.curve[src->first_grid], &item->curve, NULL);
+            else if (data)
+                err = data_item(s, src, &s->plot.grid[src->first_grid + g], &s->plot.work[n], item);
+            else
+                err = function_item(s, src, &s->plot.work[n], item, lo, hi);
+            if (err) return err;
+        }
+    }
+    return n;
+}

@@ -1,0 +1,110 @@
+/* session_report.c - what goes wrong, told to people: unexpected tokens, warnings, the place of an error. */
+#include "lang/session_parts.h"
+
+bool session_at_end(const lexer_t *lx) {
+    return lx->tok.kind == TOKEN_END || lx->tok.kind == ';';
+}
+
+int session_expect_end(session_t *s, const lexer_t *lx) {
+    return session_at_end(lx) ? 0 : lexer_unexpected(lx, &s->error, "the end of the command expected");
+}
+
+void session_skip(lexer_t *lx) {
+    while (!session_at_end(lx)) lexer_next(lx);
+}
+
+int session_fail(session_t *s, const lexer_t *lx, int code, const char *message) {
+    return lang_error_set(&s->error, code, lexer_column(lx), message);
+}
+
+int session_string(session_t *s, lexer_t *lx, char *out, size_t size, const char *expected) {
+    if (lx->tok.kind != TOKEN_STRING) return lexer_unexpected(lx, &s->error, expected);
+    if (lexer_string(lx, out, size) < 0)
+        return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "too long for its buffer",
+                                     (int32_t)size - 1);
+    lexer_next(lx);
+    return 0;
+}
+
+void session_warn(session_t *s, const char *what, const char *word, size_t len, const char *why) {
+    char buf[160];
+    text_t t = text_start(buf, sizeof buf - 1);
+    const session_frame_t *f = session_top(s);
+    if (f->name) {
+        text_add(&t, "\"");
+        text_add(&t, f->name);
+        text_add(&t, "\", ");
+    }
+    if (f->first_line) {
+        text_add(&t, "line ");
+        text_add_int(&t, f->first_line);
+        text_add(&t, ": ");
+    }
+    text_add(&t, "warning: ");
+    text_add(&t, what);
+    text_add_bytes(&t, word, len);
+    text_add(&t, why);
+    t.size++; /* the line feed was kept back */
+    text_add(&t, "\n");
+    s->port->warn(s->port->ctx, buf);
+}
+
+void session_warn_once(session_t *s, uint8_t *bits, int index, const char *what, const lexer_t *lx, const char *why) {
+    uint8_t bit = (uint8_t)(1u << (index & 7));
+    if (bits[index >> 3] & bit) return;
+    bits[index >> 3] |= bit;
+    session_warn(s, what, lexer_text(lx), lx->tok.len, why);
+}
+
+/* The error's column counts in the joined line; people want the physical line and its own column. */
+static void place_error(session_t *s, const char **text, size_t *len) {
+    lang_error_t *e = &s->error;
+    const session_frame_t *f = session_top(s);
+    if (s->in_last) {
+        *text = s->last;
+        *len = strlen(s->last);
+        e->line = f->first_line;
+        return;
+    }
+    uint32_t start = 0, end = f->len;
+    int32_t k = 0;
+    while (k < f->joins && e->column > f->join[k]) start = f->join[k++];
+    if (k < f->joins) end = f->join[k];
+    *text = f->text + start;
+    *len = end - start;
+    if (e->column > 0) e->column -= (int32_t)start;
+    e->line = f->first_line + k;
+}
+
+static void report(session_t *s, const char *name, const char *text, size_t len) {
+    char buf[LANG_PICTURE_MAX];
+    size_t n = lang_error_picture(&s->error, text, len, buf, sizeof buf);
+    while (n > 0 && buf[n - 1] == '\n') buf[--n] = '\0';
+    size_t last = n;
+    while (last > 0 && buf[last - 1] != '\n') last--;
+    const session_port_t *port = s->port;
+    char reason[LANG_ERROR_MAX + 48];
+    text_t t = text_start(reason, sizeof reason - 1);
+    text_add(&t, buf + last);
+    t.size++;
+    text_add(&t, "\n");
+    buf[last] = '\0';
+    port->warn(port->ctx, buf);
+    if (name) {
+        port->warn(port->ctx, "\"");
+        port->warn(port->ctx, name);
+        port->warn(port->ctx, "\", ");
+    }
+    port->warn(port->ctx, reason);
+}
+
+void session_report(session_t *s) {
+    if (s->error.line == 0) { /* in the text, not in data */
+        const char *text;
+        size_t len;
+        place_error(s, &text, &len);
+        report(s, session_top(s)->name, text, len);
+    } else {
+        report(s, s->plot.waiting ? session_top(s)->name : s->frame_name[0], "", 0);
+    }
+}
