@@ -34,9 +34,9 @@ static inline band_t band_at(const int32_t *r, int32_t k) {
     return (band_t){v[0], v[1], v[2], v[3]};
 }
 
-int bands_init(bands_t *b, int32_t *pool, size_t words, envelope_take_t take, void *ctx) {
+int bands_init(bands_t *b, int32_t narrow, int32_t *pool, size_t words, envelope_take_t take, void *ctx) {
     if (words < 32) return ERR_FULL;
-    *b = (bands_t){.base = pool, .l = pool, .end = pool + words, .take = take, .ctx = ctx};
+    *b = (bands_t){.narrow = narrow, .base = pool, .l = pool, .end = pool + words, .take = take, .ctx = ctx};
     b->r = b->end - 2 * WORDS(0);
     const int32_t strips[2 * WORDS(0)] = {-ENVELOPE_LIMIT, 0, 0, ENVELOPE_LIMIT, 0, 0};
     for (int k = 0; k < 2 * WORDS(0); k++) b->r[k] = strips[k];
@@ -202,7 +202,8 @@ int bands_clip(bands_t *b, pencil_t p0, pencil_t p1) {
         c.p = p1;
         c.q = p0;
     }
-    if (c.q.a - c.p.a <= ENVELOPE_VERTICAL) return clip_vertical(b, p0, p1);
+    if (envelope_vertical(p0, p1, b->narrow)) return clip_vertical(b, p0, p1);
+    if (p0.a == p1.a) return 0; /* a point, all but */
     c.units = max32(c.q.a - c.p.a, c.q.w < c.p.w ? c.p.w - c.q.w : c.q.w - c.p.w);
     seek(b, c.p.a);
     for (const int32_t *r = b->r; r[0] < c.q.a; r += WORDS(bands_of(r))) {

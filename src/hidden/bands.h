@@ -21,6 +21,7 @@
 
 typedef struct bands {
     int32_t *base, *l, *r, *end; /* [base, l) strips, gap, [r, end) strips, in words */
+    int32_t narrow;              /* see envelope_vertical */
     int32_t peak;                /* most words used */
     envelope_count_t count;
     envelope_take_t take; /* gets visible parts as fractions from p0 to p1 */
@@ -33,7 +34,7 @@ typedef struct bands_line {
 } bands_line_t;
 
 /* An empty cover in pool[0..words). Returns 0, or ERR_FULL for less than 32 words. */
-int bands_init(bands_t *b, int32_t *pool, size_t words, envelope_take_t take, void *ctx);
+int bands_init(bands_t *b, int32_t narrow, int32_t *pool, size_t words, envelope_take_t take, void *ctx);
 
 /* Gives the visible parts of the line p0-p1 to take. Returns 0 or take's error. */
 int bands_clip(bands_t *b, pencil_t p0, pencil_t p1);

@@ -24,6 +24,7 @@ static int take_part(void *ctx, envelope_part_t part) {
     edges_t *e = ctx;
     edges_edge_t *k = &e->edge;
     int32_t from = part.from_q30, to = part.to_q30;
+    if (k->quiet) return 0;
     if (from != 0 || to != ONE_Q30) {
         from = chart_unproject(from, k->g0, k->g1);
         to = chart_unproject(to, k->g0, k->g1);
@@ -58,8 +59,9 @@ int edges_init(edges_t *e, const ink_sink_t *sink, bool gaps, pencil_t *pool, si
     e->runs = (runs_t){.sink = sink};
     e->clipped = 0;
     e->gaps = gaps;
-    if (gaps) return bands_init(&e->bands, (int32_t *)(void *)pool, 2 * count, take_part, e);
-    return horizons_init(&e->horizons, e->chart.seen >= 0, e->chart.seen <= 0, pool, count, take_part, e);
+    if (gaps) return bands_init(&e->bands, e->chart.narrow, (int32_t *)(void *)pool, 2 * count, take_part, e);
+    return horizons_init(&e->horizons, e->chart.seen >= 0, e->chart.seen <= 0, e->chart.narrow, pool, count, take_part,
+                         e);
 }
 
 /* A point of an edge relative to the eye. */
@@ -90,43 +92,53 @@ static int32_t steep_limit(const edges_t *e, int sector, place_t p, place_t q, b
     return in;
 }
 
+/* The part [s0, s1] of an edge, steeper than the chart allows: nothing is in front of it. It bounds what is covered
+ * as the steepest line of sight would; there is none right below the eye. */
+static int take_steep(edges_t *e, pencil_t at0, pencil_t at1, int32_t s0, int32_t s1) {
+    int err = take_unseen(e, s0, s1);
+    if (err != 0 || at0.a == CHART_NONE || at1.a == CHART_NONE) return err;
+    at0.w = at1.w = at0.w < 0 ? -PENCIL_LIMIT : PENCIL_LIMIT;
+    e->edge.quiet = true;
+    err = clip_line(e, at0, at1);
+    e->edge.quiet = false;
+    return err;
+}
+
+/* Clips the part a-b of an edge, [s0, s1] of its way, which lies in one sector and on one side of the eye's level if
+ * it is steep at both ends. */
+static int clip_piece(edges_t *e, int sector, place_t a, place_t b, int32_t s0, int32_t s1) {
+    pencil_t at0, at1, limit;
+    const bool in0 = chart_around(&e->chart, sector, a.x, a.y, a.z, &at0);
+    const bool in1 = chart_around(&e->chart, sector, b.x, b.y, b.z, &at1);
+    if (!in0 && !in1) return take_steep(e, at0, at1, s0, s1);
+    if (in0 != in1) {
+        int32_t t = steep_limit(e, sector, a, b, in1), s = s0 + scale_q30(s1 - s0, t);
+        place_t c = place_at(a, b, t);
+        chart_around(&e->chart, sector, c.x, c.y, c.z, &limit);
+        int err = in1 ? take_steep(e, at0, limit, s0, s) : take_steep(e, limit, at1, s, s1);
+        if (err != 0) return err;
+        *(in1 ? &a : &b) = c;
+        *(in1 ? &at0 : &at1) = limit;
+        *(in1 ? &s0 : &s1) = s;
+    }
+    e->edge.start_q30 = s0;
+    e->edge.way_q30 = s1 - s0;
+    e->edge.g0 = size32(sector & 1 ? b.x : b.y);
+    e->edge.g1 = size32(sector & 1 ? a.x : a.y);
+    return clip_line(e, at0, at1);
+}
+
 /* Clips the part a-b of an edge, [s0, s1] of its way, which lies in one sector. */
 static int clip_in_sector(edges_t *e, place_t a, place_t b, int32_t s0, int32_t s1) {
-    edges_edge_t *k = &e->edge;
-    place_t m = place_at(a, b, ONE_Q30 / 2);
-    int sector = chart_sector(m.x, m.y);
-    pencil_t at0, at1;
-    bool in0 = chart_around(&e->chart, sector, a.x, a.y, a.z, &at0);
-    bool in1 = chart_around(&e->chart, sector, b.x, b.y, b.z, &at1);
-    int32_t t0 = 0, t1 = ONE_Q30;
-    if (in0 != in1) {
-        int32_t t = steep_limit(e, sector, a, b, in1);
-        place_t c = place_at(a, b, t);
-        if (in1) {
-            t0 = t;
-            a = c;
-            in0 = chart_around(&e->chart, sector, c.x, c.y, c.z, &at0);
-        } else {
-            t1 = t;
-            b = c;
-            in1 = chart_around(&e->chart, sector, c.x, c.y, c.z, &at1);
-        }
-    }
-    int32_t way = s1 - s0;
-    t0 = s0 + scale_q30(way, t0);
-    t1 = s0 + scale_q30(way, t1);
-    const bool shown = in0 && in1;
-    int err = 0;
-    if (t0 > s0 || !shown) err = take_unseen(e, s0, shown ? t0 : s1);
-    if (err == 0 && shown) {
-        k->start_q30 = t0;
-        k->way_q30 = t1 - t0;
-        k->g0 = size32(sector & 1 ? b.x : b.y);
-        k->g1 = size32(sector & 1 ? a.x : a.y);
-        err = clip_line(e, at0, at1);
-    }
-    if (err == 0 && shown && t1 < s1) err = take_unseen(e, t1, s1);
-    return err;
+    const place_t m = place_at(a, b, ONE_Q30 / 2);
+    const int sector = chart_sector(m.x, m.y);
+    if ((a.z < 0) == (b.z < 0)) return clip_piece(e, sector, a, b, s0, s1);
+    const uint32_t up = size32(a.z), down = size32(b.z);
+    const int32_t t = (int32_t)pencil_fraction(up, (uint64_t)up + down), s = s0 + scale_q30(s1 - s0, t);
+    place_t level = place_at(a, b, t);
+    level.z = 0;
+    int err = clip_piece(e, sector, a, level, s0, s);
+    return err != 0 ? err : clip_piece(e, sector, level, b, s, s1);
 }
 
 /* x + (y - x) * num / den to nearest, 0 <= num <= den < 2^32, |x|, |y| < 2^31. */
@@ -155,18 +167,19 @@ static int clip_around(edges_t *e, place_t p, place_t q) {
     return clip_in_sector(e, from, q, from_q30, ONE_Q30);
 }
 
-static bool is_vertical(pencil_t p0, pencil_t p1) {
-    return p1.a - p0.a <= ENVELOPE_VERTICAL && p0.a - p1.a <= ENVELOPE_VERTICAL;
+/* `across` is the edge's constant distance from the eye in CHART_AROUND: an edge that is several lines there is
+ * vertical only if it passes under the eye. */
+static bool is_vertical(const edges_t *e, pencil_t p0, pencil_t p1, int32_t across) {
+    if (e->chart.kind == CHART_AROUND && !edges_in_one_sector(p0, p1)) return across == 0;
+    return envelope_vertical(p0, p1, e->chart.narrow);
 }
 
 bool edges_row_is_vertical(const edges_t *e, const chart_line_t *line, int32_t i) {
-    if (e->chart.kind == CHART_AROUND) return line->dy == 0;
-    return is_vertical(line->at[i], line->at[i + 1]);
+    return is_vertical(e, line->at[i], line->at[i + 1], line->dy);
 }
 
 bool edges_column_is_vertical(const edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i) {
-    if (e->chart.kind == CHART_AROUND) return e->chart.column[i].p == 0;
-    return is_vertical(line->at[i], next->at[i]);
+    return is_vertical(e, line->at[i], next->at[i], e->chart.column[i].p);
 }
 
 int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run) {

@@ -15,6 +15,7 @@ typedef struct edges_edge {
     int32_t line, cell;
     run_t *run;
     uint32_t g0, g1;            /* reciprocal distances of the ends (of the part being clipped) */
+    bool quiet;                 /* it only shapes the horizons: what is visible of it is known */
     int32_t start_q30, way_q30; /* the part that is being clipped, in space */
 } edges_edge_t;
 

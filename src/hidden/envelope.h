@@ -24,8 +24,7 @@
 
 #define ENVELOPE_LIMIT ((INT32_C(1) << 30) - 1) /* beyond PENCIL_LIMIT by more than the noise */
 #define ENVELOPE_FLOOR (-ENVELOPE_LIMIT)
-#define ENVELOPE_VERTICAL 2 /* lines no wider are taken to be vertical */
-#define ENVELOPE_NOISE 4    /* two lines through vertices that are a unit off each, and a crossing on each */
+#define ENVELOPE_NOISE 4 /* two lines through vertices that are a unit off each, and a crossing on each */
 
 /* A horizon: [base, l) ascending, then the gap, then [r, end) ascending. */
 typedef struct envelope {
@@ -98,6 +97,13 @@ static inline bool envelope_above(pencil_t p, pencil_t q, pencil_t x, envelope_c
     if (x.w - ENVELOPE_NOISE > hi) return true;
     count->tests++;
     return envelope_orient(p, q, x) > envelope_noise(p, q);
+}
+
+/* Is the line p-q vertical, but for rounding: steep, and no wider than `narrow` (chart.h)? Across such a line a unit of
+ * a is worth many of w, so where it is visible cannot be told from crossings: it must be clipped at its abscissa. */
+static inline bool envelope_vertical(pencil_t p, pencil_t q, int32_t narrow) {
+    int32_t run = q.a < p.a ? p.a - q.a : q.a - p.a, rise = q.w < p.w ? p.w - q.w : q.w - p.w;
+    return run <= narrow && rise >> 6 >= run;
 }
 
 static inline bool envelope_same(pencil_t p, pencil_t q) {

@@ -10,9 +10,9 @@ static inline int32_t min32(int32_t a, int32_t b) {
     return a < b ? a : b;
 }
 
-int horizons_init(horizons_t *h, bool upper, bool lower, pencil_t *pool, size_t count, envelope_take_t take,
-                  void *ctx) {
-    *h = (horizons_t){.has_upper = upper, .has_lower = lower, .take = take, .ctx = ctx};
+int horizons_init(horizons_t *h, bool upper, bool lower, int32_t narrow, pencil_t *pool, size_t count,
+                  envelope_take_t take, void *ctx) {
+    *h = (horizons_t){.has_upper = upper, .has_lower = lower, .narrow = narrow, .take = take, .ctx = ctx};
     return envelope_init(upper ? &h->upper : &h->lower, upper && lower ? &h->lower : NULL, pool, count);
 }
 
@@ -61,11 +61,23 @@ static int clip_vertical(horizons_t *h, pencil_t l, pencil_t r) {
     return 0;
 }
 
+/* Raises the horizons by a line whose visible parts are known. */
+static int raise_both(horizons_t *h, pencil_t l, pencil_t r) {
+    int n = h->has_upper ? envelope_clip(&h->upper, l, r, NULL, NULL, &h->count) : 0;
+    l.w = -l.w, r.w = -r.w;
+    if (n >= 0 && h->has_lower) n = envelope_clip(&h->lower, l, r, NULL, NULL, &h->count);
+    return n < 0 ? n : 0;
+}
+
 int horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1) {
     h->flip = p1.a < p0.a;
     h->whole = false;
     pencil_t l = h->flip ? p1 : p0, r = h->flip ? p0 : p1;
-    if (r.a - l.a <= ENVELOPE_VERTICAL) return clip_vertical(h, l, r);
+    if (envelope_vertical(l, r, h->narrow)) {
+        int err = clip_vertical(h, l, r);
+        return err != 0 || l.a == r.a ? err : raise_both(h, l, r);
+    }
+    if (l.a == r.a) return 0; /* a point, all but */
     if (h->has_upper && !h->skip_upper) {
         int n = envelope_clip(&h->upper, l, r, take_upper, h, &h->count);
         if (n < 0) return n;

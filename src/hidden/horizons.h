@@ -10,6 +10,7 @@
 typedef struct horizons {
     envelope_t upper, lower;
     bool has_upper, has_lower;
+    int32_t narrow; /* see envelope_vertical */
     envelope_count_t count;
     envelope_take_t take; /* gets visible parts as fractions from p0 to p1, in no particular order */
     void *ctx;
@@ -18,11 +19,11 @@ typedef struct horizons {
 } horizons_t;
 
 /* Empty horizons in pool[0..count). Returns 0 or ERR_FULL. */
-int horizons_init(horizons_t *h, bool upper, bool lower, pencil_t *pool, size_t count, envelope_take_t take, void *ctx);
+int horizons_init(horizons_t *h, bool upper, bool lower, int32_t narrow, pencil_t *pool, size_t count,
+                  envelope_take_t take, void *ctx);
 
-/* Clips the line p0-p1 and raises the horizons. Lines no wider than ENVELOPE_VERTICAL units are vertical:
- * they are clipped at their abscissa, and raise nothing, since their ends belong to other lines. Returns 0, ERR_FULL,
- * or take's error. */
+/* Clips the line p0-p1 and raises the horizons. Lines that are vertical (envelope_vertical) are clipped at their
+ * abscissa. Returns 0, ERR_FULL, or take's error. */
 int horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1);
 
 #endif

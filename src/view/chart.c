@@ -5,6 +5,9 @@
 /* A single sector is used while directions differ by less than this slope: at its border a unit of a is then
  * MAX_SLOPE^2 + 1 times as fine in angle as in its middle. */
 #define MAX_SLOPE 8
+/* 2^-21 of the page, in units of a: where all directions of a chart are as fine as in its middle, and where not. */
+#define NARROW_EVEN 512
+#define NARROW_UNEVEN (NARROW_EVEN / (MAX_SLOPE * MAX_SLOPE))
 #define AROUND_W_BITS 12 /* CHART_AROUND: |w| up to 2^12 times (greatest height / greatest distance) */
 
 _Static_assert(30 - 7 >= 17 + 5, "at MAX_SLOPE 32 units are left to a quarter of a step on A4 (2^-17 of the page)");
@@ -144,6 +147,12 @@ static int8_t side_seen(chart_t *c) {
     return num_cmp(c->cam->eye[2], height) >= 0 ? 1 : -1;
 }
 
+/* Is the nearest point of [v0, v1] at least twice that range away? */
+static bool is_remote(const num_t v[2], num_t eye_v) {
+    num_t near = num_cmp(eye_v, v[0]) < 0 ? num_sub(v[0], eye_v) : num_sub(eye_v, v[1]);
+    return num_cmp(near, num_ldexp(num_sub(v[1], v[0]), 1)) >= 0;
+}
+
 /* How many times as wide as its nearest distance a rectangle is seen, in units of its own sides. */
 static num_t slope_of(const num_t u[2], const num_t v[2], num_t eye_u, num_t eye_v) {
     num_t wide = max_num(num_abs(num_sub(u[0], eye_u)), num_abs(num_sub(u[1], eye_u)));
@@ -163,6 +172,7 @@ void chart_init(chart_t *c, grid_t *g, const camera_t *cam, chart_column_t *colu
         c->i0 = c->side_x > 0 ? g->nx - 2 : 0;
         c->j0 = c->side_y > 0 ? g->ny - 2 : 0;
         c->kind = CHART_PARALLEL;
+        c->narrow = NARROW_EVEN;
         init_parallel(c, x, y, z);
         set_height_shifts(c);
         return;
@@ -170,12 +180,14 @@ void chart_init(chart_t *c, grid_t *g, const camera_t *cam, chart_column_t *colu
     c->i0 = cell_of(src->x_of, src->ctx, g->nx, e[0], &c->side_x);
     c->j0 = cell_of(src->y_of, src->ctx, g->ny, e[1], &c->side_y);
     c->seen = side_seen(c);
+    c->narrow = NARROW_UNEVEN;
     num_t limit = num_from_i64(MAX_SLOPE), slope_x = limit, slope_y = limit;
     if (c->side_y != 0) slope_y = slope_of(x, y, e[0], e[1]);
     if (c->side_x != 0) slope_x = slope_of(y, x, e[1], e[0]);
     if (num_cmp(slope_y, limit) < 0 && num_cmp(slope_y, slope_x) <= 0) {
         c->kind = CHART_NORTH;
         c->sign = (int8_t)-c->side_y;
+        if (is_remote(y, e[1])) c->narrow = NARROW_EVEN;
         plane_init(&c->plane, true, x, y, z, e);
         c->z_bits = c->plane.z_bits;
         for (int32_t i = 0; i < g->nx; i++) {
@@ -185,6 +197,7 @@ void chart_init(chart_t *c, grid_t *g, const camera_t *cam, chart_column_t *colu
     } else if (num_cmp(slope_x, limit) < 0) {
         c->kind = CHART_EAST;
         c->sign = (int8_t)-c->side_x;
+        if (is_remote(x, e[0])) c->narrow = NARROW_EVEN;
         plane_init(&c->plane, true, y, x, z, (num_t[3]){e[1], e[0], e[2]});
         c->z_bits = c->plane.z_bits;
         int32_t rise = plane_z(&c->plane, g->z_origin);
@@ -240,18 +253,18 @@ static void row_east(const chart_t *c, num_t y, chart_line_t *line) {
 static inline bool around(const chart_t *c, int sector, int32_t across, int32_t dz, uint32_t r, int32_t b,
                           pencil_t *at) {
     int64_t w = ((int64_t)dz * (int64_t)r) >> (c->w_shift + b);
-    if (w > PENCIL_LIMIT || w < -PENCIL_LIMIT) return false;
     int sh = 31 + b - (CHART_SECTOR_BITS - 1); /* rounded: a diagonal comes out exact */
     int32_t a = (int32_t)(((int64_t)across * (int64_t)r + ((int64_t)1 << (sh - 1))) >> sh);
     at->a = a + (2 * sector - 3) * (1 << (CHART_SECTOR_BITS - 1));
-    at->w = (int32_t)w;
-    return true;
+    at->w = (int32_t)(w > PENCIL_LIMIT ? PENCIL_LIMIT : w < -PENCIL_LIMIT ? -PENCIL_LIMIT : w);
+    return at->w == w;
 }
 
 bool chart_around(const chart_t *c, int sector, int32_t dx, int32_t dy, int32_t dz, pencil_t *at) {
     int32_t along = sector & 1 ? dx : dy, across = sector & 1 ? dy : dx;
     if (sector == 0 || sector == 3) along = -along;
     if (sector >= 2) across = -across;
+    at->a = CHART_NONE;
     if (along <= 0) return false;
     int32_t b;
     uint32_t r = reciprocal((uint32_t)along, &b);

@@ -47,6 +47,7 @@ typedef struct chart {
     int8_t seen;               /* 1: only upper sides can be seen, -1: only lower ones, 0: both */
     int8_t sign;               /* of dy (CHART_NORTH) or dx (CHART_EAST) */
     uint8_t z_down, z_up;      /* heights become (zi >> z_down) << z_up */
+    int32_t narrow;            /* what is less apart in a is less than a sixteenth of a step apart on A4 */
     plane_t plane;             /* CHART_NORTH: u is x, v is y; CHART_EAST: u is y, v is x */
     num_t x_ref, y_ref, z_ref; /* CHART_PARALLEL: the middle; CHART_AROUND: the eye */
     num_t turn[2];             /* CHART_PARALLEL: what a row's y adds to a and w, negative */
@@ -79,7 +80,8 @@ static inline int chart_sector_at(int32_t a) {
 }
 
 /* CHART_AROUND: a point, relative to the eye in the chart's scales, as `sector` sees it; the point is in that sector or
- * on its border. False if it has no coordinates there: too steep, or exactly below the eye. */
+ * on its border. False if it has no coordinates there: too steep, then
+ * at is the nearest that has, above or below; or exactly below the eye, then at->a is CHART_NONE. */
 bool chart_around(const chart_t *c, int sector, int32_t dx, int32_t dy, int32_t dz, pencil_t *at);
 
 /* The position in space, of a point that is `u` of the way from end 0 to end 1 in the chart, along an edge whose
