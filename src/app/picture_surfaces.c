@@ -74,7 +74,7 @@ static int draw_plain(picture_t *p, bool isolines) {
         /* With isolines even numbers are rows, odd ones columns; otherwise each grid has both. */
         for (uint8_t family = INK_ROW; family <= INK_COL; family++) {
             if (isolines && (k & 1) != (family == INK_COL)) continue;
-            int err = plain_draw(&p->grid[k], family, (uint8_t)k, &p->sink);
+            int err = plain_draw(&p->grid[k], family, !isolines, (uint8_t)k, &p->sink);
             if (err) return err;
         }
         hide_tick(p, k + 1, p->spaces);

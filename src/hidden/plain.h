@@ -8,8 +8,9 @@
 #include "hidden/ink.h"
 #include "scene/grid.h"
 
-/* Emits the lines of one family (INK_ROW or INK_COL) of g as pieces of surface number `surface`. Returns 0 or the
- * sink's error. */
-int plain_draw(grid_t *g, uint8_t family, uint8_t surface, const ink_sink_t *sink);
+/* Emits the lines of one family (INK_ROW or INK_COL) of g as pieces of surface number `surface`. With `facets`, only
+ * edges of a facet are drawn, that is of a cell whose four corners are defined; otherwise all between two defined
+ * points. Returns 0 or the sink's error. */
+int plain_draw(grid_t *g, uint8_t family, bool facets, uint8_t surface, const ink_sink_t *sink);
 
 #endif

@@ -22,7 +22,7 @@ typedef struct page_map {
     const camera_t *cam;
     num_t origin[3], origin_h[3]; /* the grid's middle, and where the camera puts it */
     line_space_t lines;           /* the result: INK_ROW and INK_COL lines of the grid */
-    int32_t z_mul[3];             /* height's share: zi * z_mul >> z_shift */
+    int64_t z_mul[3];             /* height's share: zi * z_mul / 2^(32 + z_shift) */
     uint8_t z_shift[3];
     page_h_t *table; /* nx columns, then ny rows; NULL: compute */
 } page_map_t;
