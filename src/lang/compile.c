@@ -335,7 +335,7 @@ int expr_compile(lang_t *l, lexer_t *lx, const expr_params_t *params, uint8_t *b
     uint8_t kept;
     out->code = buf;
     out->len = share_parts(buf, (uint16_t)c.e.len, emit_room(&c.e), (uint8_t)count, &kept);
-    out->stack = (uint16_t)(count + kept + c.e.deepest);
+    out->stack = (uint16_t)(count + kept + c.e.deepest + 1); /* eval.c says what the one more is for */
     out->params = (uint8_t)count;
     out->columns = c.columns;
     return 0;

@@ -103,7 +103,7 @@ void emit_operated(emit_t *e, int n, bool pure, bool real) {
     uint32_t start = e->depth < EMIT_TRACKED ? e->operand[e->depth].start : 0;
     if (pure && e->len < emit_room(e)) {
         e->buf[e->len] = OP_RET;
-        expr_t x = {.code = e->buf + start, .stack = EXPR_PARAMS};
+        expr_t x = {.code = e->buf + start, .stack = EXPR_PARAMS + 1};
         value_t v;
         if (expr_eval(e->l, &x, NULL, &v) == 0 && v.kind != VALUE_UNDEF) {
             e->len = start;
