@@ -53,7 +53,7 @@ static num_t z_of(void *ctx, int32_t i, int32_t j) {
     return r->hole && r->hole[j * r->nx + i] ? num_undef() : run_num(r->z[j * r->nx + i]);
 }
 
-int run_perimeter(const scene_t *s, run_drawing_t *d, hidden_stats_t *stats) {
+int run_perimeter_in(const scene_t *s, run_drawing_t *d, size_t bytes, hidden_stats_t *stats) {
     surface_ref_t ref = s->ref;
     surface_t surface = {ref.nx, ref.ny, &ref, x_of, y_of, z_of};
     camera_t cam = run_camera(&ref.eye);
@@ -62,11 +62,14 @@ int run_perimeter(const scene_t *s, run_drawing_t *d, hidden_stats_t *stats) {
     *stats = (hidden_stats_t){0};
     int err = grid_measure(&g, &surface, NULL, NULL, NULL, NULL, NULL);
     if (err) return err;
-    int32_t vertices = (ref.hole ? 800 : 40) * (ref.nx + ref.ny) + 1000; /* a cover with gaps takes more */
-    size_t bytes = perimeter_bytes(ref.nx, vertices);
-    hidden_job_t job = {.mem = malloc(bytes), .bytes = bytes, .sink = &sink};
+    hidden_job_t job = {.mem = malloc(bytes ? bytes : 1), .bytes = bytes, .sink = &sink};
     if (!job.mem) abort();
     err = perimeter_draw(&g, &cam, &job, stats);
     free(job.mem);
     return err;
+}
+
+int run_perimeter(const scene_t *s, run_drawing_t *d, hidden_stats_t *stats) {
+    int32_t vertices = (s->ref.hole ? 800 : 40) * (s->ref.nx + s->ref.ny) + 1000; /* a cover with gaps takes more */
+    return run_perimeter_in(s, d, perimeter_bytes(s->ref.nx, vertices), stats);
 }

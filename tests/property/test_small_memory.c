@@ -1,0 +1,56 @@
+/* The kernels in less memory than they need: every size from nothing to enough must end in ERR_FULL or in the right
+ * drawing, and never touch a byte that was not lent. Run with `make asan` this is also the test of their bounds. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "error.h"
+#include "tests/oracle/run_cases.h"
+
+static void test_perimeter(void **state) {
+    (void)state;
+    int64_t full = 0, drawn = 0, least = 0, needed = 0;
+    for (uint64_t seed = 6000; seed < 6000 + cases_scaled(40); seed++) {
+        scene_t s;
+        run_drawing_t reference = {0};
+        hidden_stats_t stats;
+        scene_random(&s, seed, 14, seed & 1);
+        int err = run_perimeter(&s, &reference, &stats);
+        size_t enough = stats.bytes;
+        size_t step = enough / 40 / 8 * 8 + 8;
+        if (err == ERR_EMPTY)
+            enough = 0;
+        else
+            assert_int_equal(err, 0);
+        bool worked = false;
+        for (size_t bytes = 0; bytes < 4 * enough && !worked; bytes += step) {
+            run_drawing_t d = {0};
+            err = run_perimeter_in(&s, &d, bytes, &stats);
+            if (err) assert_int_equal(err, ERR_FULL);
+            full += err == ERR_FULL;
+            if (err == 0) {
+                worked = true;
+                drawn++;
+                least += (int64_t)bytes;
+                needed += (int64_t)enough;
+                assert_int_equal(d.n, reference.n);
+                assert_memory_equal(d.piece, reference.piece, d.n * sizeof *d.piece);
+            }
+            run_drawing_free(&d);
+        }
+        assert_true(worked || enough == 0);
+        run_drawing_free(&reference);
+        scene_free(&s);
+    }
+    print_message("# memory: %lld drawings in the least memory that does, %lld sizes refused; %.2f of what was used "
+                  "with plenty\n",
+                  (long long)drawn, (long long)full, (double)least / (double)needed);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_perimeter)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
