@@ -16,6 +16,7 @@
 #include "lang/plot.h"
 #include "path/path.h"
 #include "scene/profiles_cache.h"
+#include "scene/profiles_mesh.h"
 #include "view/cut.h"
 #include "view/flat_map.h"
 #include "view/page_map.h"
@@ -61,6 +62,7 @@ typedef struct picture {
     int32_t spaces;                        /* of them in use */
     profiles_t profiles;
     profiles_sampled_t sampled;
+    profiles_mesh_t mesh;
     profiles_cache_t profiles_cache;
     profile_map_t profile_map;
     flat_axes_t axes;

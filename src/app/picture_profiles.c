@@ -3,17 +3,18 @@
 
 #include "error.h"
 #include "hidden/horizon.h"
+#include "scene/bilinear.h"
 
 static void hide_tick(void *ctx, int32_t done, int32_t of) {
     picture_progress(ctx, PICTURE_HIDE, done, of);
 }
 
-/* A function's height, undefined beyond `set zrange`. */
+/* A height of the function or between the data, undefined beyond `set zrange`. */
 static num_t height_at(void *ctx, num_t x, num_t y) {
     picture_t *p = ctx;
     const plot_item_t *item = &p->plot->item[0];
     const range_t *r = &p->plot->settings->z;
-    num_t z = item->z_at(item->surface.ctx, x, y);
+    num_t z = item->z_at ? item->z_at(item->surface.ctx, x, y) : bilinear_at(&item->surface, x, y);
     p->stats.evaluated++;
     if (z.undef) return z;
     if (!r->auto_lo && num_cmp(z, r->lo) < 0) return num_undef();
@@ -23,7 +24,7 @@ static num_t height_at(void *ctx, num_t x, num_t y) {
 
 /* isosamples[1] profiles of samples[0] points. The ground direction of the view must be known before the heights are: a
  * camera for any range of heights gives it. */
-static int cut_function(picture_t *p) {
+static int cut_surface(picture_t *p) {
     const settings_t *s = p->plot->settings;
     const surface_t *f = &p->plot->item[0].surface;
     const num_t lo[3] = {f->x_of(f->ctx, 0), f->y_of(f->ctx, 0), num_from_i64(0)};
@@ -35,21 +36,42 @@ static int cut_function(picture_t *p) {
     return profiles_from_function(&p->profiles, &p->sampled, &p->camera, s->isosamples[1]);
 }
 
+/* isosamples[1] profiles through the triangles. */
+static int cut_terrain(picture_t *p) {
+    const mesh_t *mesh = &p->plot->item[0].mesh;
+    if (mesh->nv < 1) return ERR_EMPTY;
+    num_t lo[3], hi[3];
+    for (int32_t v = 0; v < mesh->nv; v++) {
+        for (int axis = 0; axis < 3; axis++) {
+            num_t at = packed_num(mesh->vertex[v][axis]);
+            if (v == 0 || num_cmp(at, lo[axis]) < 0) lo[axis] = at;
+            if (v == 0 || num_cmp(at, hi[axis]) > 0) hi[axis] = at;
+        }
+    }
+    int err = picture_camera(p, lo, hi);
+    if (err) return err;
+    size_t bytes = arena_left(&p->arena) / 4;
+    void *mem = arena_take(&p->arena, bytes);
+    return profiles_from_mesh(&p->profiles, &p->mesh, mesh, &p->camera, p->plot->settings->isosamples[1], mem, bytes);
+}
+
 /* Keeps all points if that takes at most half of what is left. */
 static void cache_points(picture_t *p) {
-    size_t size = PROFILES_CACHE_BYTES(p->profiles.count, p->profiles.max_points);
-    void *mem = size <= arena_left(&p->arena) / 2 ? arena_take(&p->arena, size) : NULL;
-    if (!mem) return;
-    profiles_cache_fill(&p->profiles_cache, &p->profiles, mem);
-    p->stats.cache_bytes += size;
+    size_t bytes = arena_left(&p->arena) / 2;
+    arena_t before = p->arena;
+    void *mem = arena_take(&p->arena, bytes);
+    size_t used = mem ? profiles_cache_fill(&p->profiles_cache, &p->profiles, mem, bytes) : 0;
+    p->arena = before;
+    if (used) arena_take(&p->arena, used); /* the same place, no more than needed */
+    p->stats.cache_bytes += used;
 }
 
 int picture_profiles(picture_t *p, const pen_sink_t *pen) {
     const plot_t *plot = p->plot;
-    if (plot->kind != PLOT_SURFACES || plot->n > 1 || !plot->item[0].z_at) return ERR_UNSUPPORTED;
+    if (plot->n > 1) return ERR_UNSUPPORTED;
     size_t kernel_bytes;
     void *kernel = picture_kernel_memory(p, &kernel_bytes);
-    int err = cut_function(p);
+    int err = plot->kind == PLOT_MESH ? cut_terrain(p) : cut_surface(p);
     if (!err) cache_points(p);
     if (!err) err = profile_map_measure(&p->profile_map, &p->profiles);
     if (!err) err = picture_camera(p, p->profile_map.lo, p->profile_map.hi);

@@ -8,15 +8,14 @@
 #include "scene/profiles.h"
 #include <stddef.h>
 
-#define PROFILES_CACHE_BYTES(count, max_points) ((size_t)(count) * (size_t)(max_points)*3 * sizeof(num_t))
-
 typedef struct profiles_cache {
-    profiles_t src;
-    num_t *xyz; /* 3 for each vertex, max_points vertices for each profile */
+    num_t *xyz;     /* 3 for each vertex, profile after profile */
+    int32_t *first; /* of each profile, and the end: the number of its first vertex */
 } profiles_cache_t;
 
-/* Evaluates all of *p into mem (PROFILES_CACHE_BYTES, aligned to 16; the caller's, as c is, until the drawing is done)
- * and makes *p the cache. */
-void profiles_cache_fill(profiles_cache_t *c, profiles_t *p, void *mem);
+/* Evaluates all of *p into mem (aligned to 16; the caller's, as c is, until the drawing is done) and makes *p the
+ * cache. Returns the bytes used: 48 for each vertex and 4 for each profile; or 0 if they do not fit, and *p is what it
+ * was. */
+size_t profiles_cache_fill(profiles_cache_t *c, profiles_t *p, void *mem, size_t bytes);
 
 #endif
