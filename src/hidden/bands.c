@@ -175,14 +175,15 @@ static bool climb(bands_t *b, int32_t x, int32_t *w, int32_t *next) {
     return false;
 }
 
-/* A vertical edge: hidden where the strips a unit to its left and right hide it. */
-static int clip_vertical(bands_t *b, pencil_t p0, pencil_t p1) {
+/* A vertical edge: hidden where the strip a unit to its left or right hides it. */
+static int clip_vertical(bands_t *b, pencil_t p0, pencil_t p1, bool right) {
     const int32_t low = min32(p0.w, p1.w), high = max32(p0.w, p1.w);
     const uint32_t height = (uint32_t)(high - low);
+    const int32_t x = right ? max32(p0.a, p1.a) + 1 : min32(p0.a, p1.a) - 1;
     int32_t w = low;
     while (w < high) {
         int32_t next = high;
-        if (climb(b, min32(p0.a, p1.a) - 1, &w, &next) || climb(b, max32(p0.a, p1.a) + 1, &w, &next)) continue;
+        if (climb(b, x, &w, &next)) continue;
         if (next - w > ENVELOPE_NOISE) {
             int32_t from = (int32_t)pencil_fraction((uint32_t)(w - low), height);
             int32_t to = next == high ? ONE_Q30 : (int32_t)pencil_fraction((uint32_t)(next - low), height);
@@ -196,13 +197,13 @@ static int clip_vertical(bands_t *b, pencil_t p0, pencil_t p1) {
     return 0;
 }
 
-int bands_clip(bands_t *b, pencil_t p0, pencil_t p1) {
+int bands_clip(bands_t *b, pencil_t p0, pencil_t p1, bool right) {
     clip_t c = {.p = p0, .q = p1, .flip = p1.a < p0.a};
     if (c.flip) {
         c.p = p1;
         c.q = p0;
     }
-    if (envelope_vertical(p0, p1, b->narrow)) return clip_vertical(b, p0, p1);
+    if (envelope_vertical(p0, p1, b->narrow)) return clip_vertical(b, p0, p1, right);
     if (p0.a == p1.a) return 0; /* a point, all but */
     c.units = max32(c.q.a - c.p.a, c.q.w < c.p.w ? c.p.w - c.q.w : c.q.w - c.p.w);
     seek(b, c.p.a);

@@ -36,8 +36,9 @@ typedef struct bands_line {
 /* An empty cover in pool[0..words). Returns 0, or ERR_FULL for less than 32 words. */
 int bands_init(bands_t *b, int32_t narrow, int32_t *pool, size_t words, envelope_take_t take, void *ctx);
 
-/* Gives the visible parts of the line p0-p1 to take. Returns 0 or take's error. */
-int bands_clip(bands_t *b, pencil_t p0, pencil_t p1);
+/* Gives the visible parts of the line p0-p1 to take. A vertical line has cover to its left and right: `right` says
+ * which counts. Returns 0 or take's error. */
+int bands_clip(bands_t *b, pencil_t p0, pencil_t p1, bool right);
 
 /* Adds the region between `n` lines, n <= BANDS_LINES: over each abscissa from the lowest to the highest of the lines
  * there; where there is only one, from it down to the floor (below > 0), up to the ceiling (below < 0), or nothing (0).

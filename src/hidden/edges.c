@@ -8,6 +8,9 @@
 
 #define ONE_Q30 (INT32_C(1) << 30)
 
+static inline int32_t max32(int32_t a, int32_t b) {
+    return a > b ? a : b;
+}
 static inline int32_t min32(int32_t a, int32_t b) {
     return a < b ? a : b;
 }
@@ -45,14 +48,25 @@ static int take_unseen(edges_t *e, int32_t s0, int32_t s1) {
     return e->outline_only ? 0 : take_part(e, (envelope_part_t){.to_q30 = ONE_Q30});
 }
 
-/* Clips a line of the chart, and notes it as a side of the facet at hand. */
+/* Is the facet at hand to the right of a vertical line? Then one of its sides begins there. */
+static bool facet_is_right(const edges_t *e, pencil_t p0, pencil_t p1) {
+    const int32_t lo = min32(p0.a, p1.a) - 1, hi = max32(p0.a, p1.a) + 1;
+    for (int32_t k = 0; k < e->lines; k++) {
+        const bands_line_t *s = &e->outline[k];
+        if (s->p.a >= lo && s->p.a <= hi && s->q.a > hi) return true;
+    }
+    return false;
+}
+
+/* Clips a line of the chart, or notes it as a side of the facet at hand. */
 static int clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
     if (e->chart.kind == CHART_VERTICAL) return take_unseen(e, 0, ONE_Q30);
     if (!e->gaps) return horizons_clip(&e->horizons, p0, p1);
+    if (!e->outline_only) return bands_clip(&e->bands, p0, p1, facet_is_right(e, p0, p1));
     if (p0.a != p1.a && e->lines < BANDS_LINES) {
         e->outline[e->lines++] = p0.a < p1.a ? (bands_line_t){p0, p1} : (bands_line_t){p1, p0};
     }
-    return e->outline_only ? 0 : bands_clip(&e->bands, p0, p1);
+    return 0;
 }
 
 int edges_init(edges_t *e, const ink_sink_t *sink, bool gaps, pencil_t *pool, size_t count) {

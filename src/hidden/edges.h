@@ -27,7 +27,7 @@ typedef struct edges {
     bands_t bands;
     bands_line_t outline[BANDS_LINES];
     int32_t lines;
-    bool outline_only; /* the edge has been clipped before */
+    bool outline_only; /* the edge is only to be noted */
     int64_t clipped;
     runs_t runs;
     edges_edge_t edge;

@@ -133,15 +133,16 @@ static int facet_among_holes(sweep_t *s, int32_t i) {
     int err = 0;
     if (h0[i] || h0[i + 1] || h1[i] || h1[i + 1]) return 0;
     e->lines = 0;
-    for (int32_t k = i; k <= i + 1 && err == 0; k++) {
-        e->outline_only = s->column_done[k];
-        s->column_done[k] = 1;
-        err = column_edge(s, k);
-    }
-    for (int k = 0; k < 2 && err == 0; k++) {
-        e->outline_only = s->row_done[k][i];
-        s->row_done[k][i] = 1;
-        err = row_edge(s, k, i);
+    for (int pass = 0; pass < 2; pass++) { /* the outline, then what of it has not been clipped */
+        e->outline_only = pass == 0;
+        for (int32_t k = i; k <= i + 1 && err == 0; k++) {
+            if (pass == 0 || !s->column_done[k]) err = column_edge(s, k);
+            s->column_done[k] |= (uint8_t)pass;
+        }
+        for (int k = 0; k < 2 && err == 0; k++) {
+            if (pass == 0 || !s->row_done[k][i]) err = row_edge(s, k, i);
+            s->row_done[k][i] |= (uint8_t)pass;
+        }
     }
     s->facets++;
     return err != 0 ? err : bands_add(&e->bands, e->outline, e->lines, e->chart.seen);
