@@ -16,9 +16,25 @@ judged() {
         echo "$commands"
         echo "splot $f with lines"
     } >judged.gp
+    verdict "$f" -n "$nx,$ny" -x "$x" -y "$y" "$@"
+}
+
+# profiles COUNT SAMPLES X0:X1 Y0:Y1 FUNCTION COMMANDS [judge option...]: by the horizon algorithm
+profiles() {
+    count=$1 samples=$2 x=$3 y=$4 f=$5 commands=$6
+    shift 6
+    {
+        echo "set isosamples 10,$count; set samples $samples,10; set xrange [$x]; set yrange [$y]; set hidden3d horizon"
+        echo "$commands"
+        echo "splot $f with lines"
+    } >judged.gp
+    verdict "$f" -H "$count,$samples" -x "$x" -y "$y" "$@"
+}
+
+verdict() {
     ridgeline plot judged.gp -o judged.seg
     # shellcheck disable=SC2086
-    "$judge" judged.seg -f "$f" -n "$nx,$ny" -x "$x" -y "$y" $page "$@" >judged.txt || true
+    "$judge" judged.seg $page -f "$@" >judged.txt || true
     cat judged.gp judged.txt
     awk '$1 == "missing_mm" || $1 == "false_mm" { found++; if ($2 > 0.0125) bad = 1 } END { exit bad || found != 2 }' judged.txt
 }
@@ -57,5 +73,12 @@ cliffs() {
     judged 25 25 -2:2 -2:2 'int(x+.013)*int(y+.017)' 'set view from 6,8,3'
     judged 25 25 -2:2 -2:2 'x*y>.0123?1:0' 'set view from 3,9,2'
 }
+horizon() {
+    profiles 30 40 -2:2 -2:2 'exp(-x**2-y**2)' 'set view from 6,8,3'
+    profiles 30 40 -2:2 -2:2 "$noise" 'set view from -1,8,3'
+    profiles 30 40 -2:2 -2:2 'sin(3*x)*cos(2*y)' 'set view 60,30'
+    profiles 30 40 -2:2 -2:2 'sin(3*x)*cos(2*y)' 'set view 50,0; set hidden3d horizon infinite' -I
+    profiles 20 40 -2:2 -2:2 'sqrt(3.1-x*x-y*y)' 'set view from 1,8,3'
+}
 
-run_tests perspective_outside perspective_inside perspective_in_a_grid_plane gnuplots_views holes cliffs
+run_tests perspective_outside perspective_inside perspective_in_a_grid_plane gnuplots_views holes cliffs horizon

@@ -3,6 +3,8 @@
  *     judge_seg DRAWING.seg -f 'exp(-x**2-y**2)' -n 60,60 -x -2:2 -y -2:2 [options]
  *     judge_seg DRAWING.seg -g DATA [options]
  *
+ *   -H COUNT,SAMPLES  of -f: the profiles of `set hidden3d horizon` instead of a grid (cut_profiles.h)
+ *   -I              they are infinite
  *   -f, -n, -x, -y  a function of x and y sampled NX by NY times on a rectangle
  *   -g FILE         gnuplot's grid blocks, `x y z` a line, blank line after each row of one y (or x); `set table`
  * output too -e X,Y,Z        the eye, if the matrix' 17 digits are not exact enough for it -d X,Y,Z        the
@@ -18,6 +20,7 @@
 #include <string.h>
 
 #include "tests/oracle/judge_seg.h"
+#include "tests/oracle/tools/cut_profiles.h"
 #include "tests/oracle/tools/formula.h"
 
 #define MAX_SIDE 4000
@@ -142,7 +145,7 @@ typedef struct options {
     const char *seg, *text, *grid;
     double n[2], x[2], y[2], limit[2], eye[3], window[4];
     int eye_h; /* -1: from the matrix */
-    bool quiet;
+    bool quiet, horizon, infinite;
 } options_t;
 
 static int read_options(options_t *o, int argc, char **argv) {
@@ -158,6 +161,10 @@ static int read_options(options_t *o, int argc, char **argv) {
             o->quiet = true;
             continue;
         }
+        if (!strcmp(a, "-I")) {
+            o->infinite = true;
+            continue;
+        }
         bool ok = true;
         switch (a[1]) {
         case 'f':
@@ -165,6 +172,10 @@ static int read_options(options_t *o, int argc, char **argv) {
             break;
         case 'g':
             o->grid = v;
+            break;
+        case 'H':
+            ok = numbers(v, o->n, 2);
+            o->horizon = true;
             break;
         case 'n':
             ok = numbers(v, o->n, 2);
@@ -218,15 +229,25 @@ int main(int argc, char **argv) {
     size_t n;
     int err = read_options(&o, argc, argv);
     if (err) return err;
-    err = o.text ? from_formula(&r, o.text, (int[2]){(int)o.n[0], (int)o.n[1]}, o.x, o.y, o.limit)
-                 : from_file(&r, o.grid, o.limit);
-    if (err) return err;
     page_seg_t *seg = judge_seg_read(o.seg, &v, &n);
     if (!seg) return complain("cannot read, or has no camera", o.seg);
     if (o.eye_h >= 0) v.eye = (exact_eye_t){o.eye[0], o.eye[1], o.eye[2], o.eye_h};
     v.x0 = o.window[0], v.y0 = o.window[1], v.x1 = o.window[2], v.y1 = o.window[3];
-    r.eye = v.eye;
-    judge_subject_t what = judge_surface(&r);
+    judge_subject_t what;
+    horizon_ref_t profiles = {.infinite = o.infinite, .eye = v.eye};
+    if (o.horizon && o.text) {
+        cut_scene_t cut = {o.text,      {o.x[0], o.x[1]}, {o.y[0], o.y[1]}, {o.limit[0], o.limit[1]},
+                           (int)o.n[0], (int)o.n[1]};
+        const char *bad = cut_profiles(&cut, &profiles);
+        if (bad) return complain("not understood", bad);
+        what = judge_horizon(&profiles);
+    } else {
+        err = o.text ? from_formula(&r, o.text, (int[2]){(int)o.n[0], (int)o.n[1]}, o.x, o.y, o.limit)
+                     : from_file(&r, o.grid, o.limit);
+        if (err) return err;
+        r.eye = v.eye;
+        what = judge_surface(&r);
+    }
     judge_seg_report_t rep;
     judge_segments(&what, &v, seg, n, &rep);
     if (!o.quiet) report(&rep, n);
