@@ -56,14 +56,14 @@ static const char *integer_binary(uint8_t op, value_t *a, int64_t b) {
     switch (op) {
     case OP_ADD:
         r = (int64_t)((uint64_t)x + (uint64_t)b);
-        if (((x ^ r) & (b ^ r)) < 0) return store(a, num_add(value_num(value_int(x)), value_num(value_int(b))));
+        if (((x ^ r) & (b ^ r)) < 0) return store(a, num_add(value_from_integer(x), value_from_integer(b)));
         break;
     case OP_SUB:
         r = (int64_t)((uint64_t)x - (uint64_t)b);
-        if (((x ^ b) & (x ^ r)) < 0) return store(a, num_sub(value_num(value_int(x)), value_num(value_int(b))));
+        if (((x ^ b) & (x ^ r)) < 0) return store(a, num_sub(value_from_integer(x), value_from_integer(b)));
         break;
     case OP_MUL:
-        if (!multiply(x, b, &r)) return store(a, num_mul(value_num(value_int(x)), value_num(value_int(b))));
+        if (!multiply(x, b, &r)) return store(a, num_mul(value_from_integer(x), value_from_integer(b)));
         break;
     case OP_DIV:
     case OP_MOD:
@@ -170,16 +170,9 @@ const char *arith_binary(uint8_t op, value_t *a, value_t b) {
         *a = value_undef();
         return NULL;
     }
-    switch (op) {
-    case OP_ADD:
-        return store(a, num_double_add(x, y));
-    case OP_SUB:
-        return store(a, num_double_add(x, num_neg(y)));
-    case OP_MUL:
-        return store(a, num_double_mul(x, y));
-    default:
-        return store(a, num_double_div(x, y));
-    }
+    if (op == OP_SUB) y = num_neg(y);
+    if (op == OP_MUL) return store(a, num_double_mul(x, y));
+    return store(a, op == OP_DIV ? num_double_div(x, y) : num_double_add(x, y));
 }
 
 static const char *factorial(value_t *a) {

@@ -53,10 +53,10 @@ static const struct {
 };
 _Static_assert(sizeof BINARY / sizeof BINARY[0] == OP_BOR - OP_ADD + 1, "one entry for each operation");
 
-/* The operation of a token, or -1. */
+/* The index of a token's operation, or -1. */
 static int binary_of(int token) {
     for (int i = 0; i <= OP_BOR - OP_ADD; i++) {
-        if (BINARY[i].token == token) return OP_ADD + i;
+        if (BINARY[i].token == token) return i;
     }
     return -1;
 }
@@ -254,11 +254,11 @@ static int behind_operand(compiler_t *c) {
     lexer_t *lx = c->lx;
     int token = lx->tok.kind;
     pending_t *in = innermost(c);
-    int op = binary_of(token);
+    int b = binary_of(token);
     int r = 0;
-    if (op >= 0) {
-        reduce(c, BINARY[op - OP_ADD].precedence + (op == OP_POW)); /* ** groups to the right */
-        r = open_new(c, P_BINARY, op, 0);
+    if (b >= 0) {
+        reduce(c, BINARY[b].precedence + (token == TOKEN_POWER)); /* ** groups to the right */
+        r = open_new(c, P_BINARY, OP_ADD + b, 0);
     } else if (token == TOKEN_AND || token == TOKEN_OR) {
         int level = token == TOKEN_AND ? AND : OR;
         reduce(c, level);

@@ -68,9 +68,11 @@ static const char *refusal(const lang_t *l, const symbol_t *s, int args, const v
     TAKE_REAL(function(((num_t){sp->m, sp->e, false}), TOP_REAL));                                                     \
     sp--;                                                                                                              \
     break
-#define COMPARE_REAL(relation)                                                                                         \
+/* condition: on sign, that of the difference */
+#define COMPARE_REAL(condition)                                                                                        \
     if (NUM_FAST_RARE((sp->kind | kind) != VALUE_REAL)) goto binary;                                                   \
-    TAKE_INT(num_fast_cmp(((num_t){sp->m, sp->e, false}), TOP_REAL) relation 0);                                       \
+    sign = num_fast_cmp((num_t){sp->m, sp->e, false}, TOP_REAL);                                                       \
+    TAKE_INT(condition);                                                                                               \
     sp--;                                                                                                              \
     break
 
@@ -87,7 +89,7 @@ int expr_eval(lang_t *l, const expr_t *x, const num_t *args, value_t *out) {
     uint8_t kind = VALUE_REAL;
     const uint8_t *pc = x->code;
     const char *fault;
-    int calls = 0;
+    int calls = 0, sign;
     int32_t work = 0;
     bool truth;
     for (;;) {
@@ -154,13 +156,13 @@ int expr_eval(lang_t *l, const expr_t *x, const num_t *args, value_t *out) {
         case OP_DIV:
             BINARY_REAL(num_double_div);
         case OP_LT:
-            COMPARE_REAL(<);
+            COMPARE_REAL(sign < 0);
         case OP_LE:
-            COMPARE_REAL(<=);
+            COMPARE_REAL(sign <= 0);
         case OP_GT:
-            COMPARE_REAL(>);
+            COMPARE_REAL(sign > 0);
         case OP_GE:
-            COMPARE_REAL(>=);
+            COMPARE_REAL(sign >= 0);
         case OP_MOD:
         case OP_POW:
         case OP_SHL:

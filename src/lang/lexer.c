@@ -2,6 +2,7 @@
  *
  * What a number is follows gnuplot's scanner: 08 is 0 and then 8, 0x is 0 and then x, 1..2 is 1. and then .2. */
 #include "lang/lexer.h"
+#include "num/num_double.h"
 
 static bool is_digit(char c) {
     return c >= '0' && c <= '9';

@@ -4,6 +4,7 @@
  * some dozens of them. */
 #include "lang/names.h"
 #include "num/func.h"
+#include "num/num_double.h"
 
 static const char *name_of(const lang_t *l, const symbol_t *s) {
     return (const char *)l->pool + s->name;

@@ -26,7 +26,7 @@ static int operands_of(const uint8_t *p) {
 
 /* False if the code must be left alone. */
 static bool find_parts(const uint8_t *code, parts_t *parts) {
-    uint16_t open[SHARE_OPS]; /* where the operands on the stack start */
+    uint16_t open[SHARE_OPS] = {0}; /* where the operands on the stack start */
     int depth = 0;
     uint16_t at = 0;
     for (parts->n = 0; code[at] != OP_RET; parts->n++) {

@@ -9,7 +9,7 @@
 #ifndef VALUE_H
 #define VALUE_H
 
-#include "num/num_double.h"
+#include "num/num.h"
 #include <stddef.h>
 #include <string.h>
 
@@ -35,10 +35,12 @@ static inline value_t value_undef(void) {
 static inline value_t value_real(num_t n) {
     return (value_t){n.m, n.e, n.undef};
 }
+/* The double nearest to i. */
+num_t value_from_integer(int64_t i);
 /* The real number that v stands for: an integer becomes the nearest double, nothing stays
  * undefined. */
 static inline num_t value_num(value_t v) {
-    if (v.kind == VALUE_INT) return num_double(num_from_i64(v.m));
+    if (v.kind == VALUE_INT) return value_from_integer(v.m);
     return (num_t){v.m, v.e, v.kind == VALUE_UNDEF};
 }
 

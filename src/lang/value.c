@@ -1,7 +1,12 @@
-/* value_format.c - numbers as gnuplot prints them: %.15g, and ".0" where a real would look like an integer. */
+/* value.c - numbers as gnuplot prints them: %.15g, and ".0" where a real would look like an integer. */
 #include "lang/value.h"
+#include "num/num_double.h"
 
 _Static_assert(VALUE_UNDEF == true, "value_real stores the flag of an undefined number as its kind");
+
+num_t value_from_integer(int64_t i) {
+    return num_double(num_from_i64(i));
+}
 
 enum { DIGITS = 15 };
 
