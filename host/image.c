@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "error.h"
+#include "host/progress.h"
 
 #define LINE_WIDTH_MM 0.3
 #define DOTS_PER_MM (200 / 25.4)
@@ -29,6 +30,7 @@ static void paint(cairo_t *c, const drawing_t *d, double scale, cairo_operator_t
     for (size_t s = 0; s < d->strokes; s++) {
         size_t n;
         const page_point_t *p = drawing_stroke(d, s, &n);
+        progress_update("painting", (int64_t)s, (int64_t)d->strokes);
         for (size_t i = 0; i < n; i++) {
             double x = (double)p[i].x_lat / LAT_PER_MM, y = (double)p[i].y_lat / LAT_PER_MM;
             if (i == 0) {

@@ -9,6 +9,7 @@
 
 #include "error.h"
 #include "host/plotter.h"
+#include "host/progress.h"
 #include "host/writer.h"
 
 void job_init(job_t *job) {
@@ -34,7 +35,7 @@ static void on_progress(void *ctx, enum picture_stage stage, int32_t done, int32
     watch_t *w = ctx;
     if (stage >= PICTURE_DONE) return;
     if (w->begun[stage] <= 0) w->begun[stage] = progress_now();
-    progress_update(&w->job->progress, WHAT[stage], done, of);
+    progress_update(WHAT[stage], done, of);
 }
 
 static void on_begin(void *ctx, const camera_t *cam) {
@@ -83,11 +84,10 @@ static void read_watch(const watch_t *w, report_t *r) {
 
 static int write_outputs(job_t *job, const machine_t *machine, char *const *name) {
     for (int i = 0; i < job->outputs; i++) {
-        progress_update(&job->progress, "writing", i, job->outputs);
         errno = 0;
         int err = writer_write(&job->drawing, machine, name[i]);
         if (!err) continue;
-        progress_wipe(&job->progress);
+        progress_wipe();
         if (err == ERR_FILE && errno)
             fprintf(stderr, "ridgeline: %s: %s\n", name[i], strerror(errno));
         else
@@ -151,7 +151,7 @@ static int draw_page(job_t *job, const plot_t *plot, char **name) {
     r.path_bytes = path_bytes_needed(&picture);
     r.machine_error = plotter_estimate(d, &settings->machine, &r.motion);
     if (job->stats) report_json_page(job->stats, &r);
-    progress_wipe(&job->progress);
+    progress_wipe();
     if (job->table) {
         if (job->pages == 1) report_table_head(job->table);
         report_table_row(job->table, &r);
@@ -161,9 +161,9 @@ static int draw_page(job_t *job, const plot_t *plot, char **name) {
 
 int job_draw(job_t *job, const plot_t *plot) {
     char *name[JOB_OUTPUTS_MAX + 1] = {0};
-    progress_begin(&job->progress);
+    progress_begin();
     int err = draw_page(job, plot, name);
-    progress_wipe(&job->progress);
+    progress_wipe();
     for (int i = 0; i < job->outputs; i++) free(name[i]);
     return err;
 }

@@ -8,7 +8,6 @@
 #include <stdio.h>
 
 #include "host/drawing.h"
-#include "host/progress.h"
 #include "host/report.h"
 
 #define JOB_LENT_MAX ((size_t)4 << 30)
@@ -27,7 +26,6 @@ typedef struct job {
     /* Its own: */
     int pages;   /* drawn so far */
     int trouble; /* an error that is not the input's and has been said: a file that cannot be written, no memory */
-    progress_t progress;
     drawing_t drawing;
     void *lent;
     size_t lent_bytes;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "error.h"
+#include "host/progress.h"
 #include "sim/sim.h"
 #include "sim/vcd.h"
 
@@ -17,6 +18,7 @@ static int play(const drawing_t *d, motion_t *motion, motion_stats_t *stats) {
     for (size_t s = 0; s < d->strokes && !err; s++) {
         size_t n;
         const page_point_t *p = drawing_stroke(d, s, &n);
+        progress_update("running the plotter", (int64_t)s, (int64_t)d->strokes);
         err = pen.move(pen.ctx, p[0]);
         for (size_t i = 1; i < n && !err; i++) err = pen.draw(pen.ctx, p[i]);
     }

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "error.h"
+#include "host/progress.h"
 
 enum { FILES_MAX = 16 };
 
@@ -33,7 +34,7 @@ static void port_print(void *ctx, const char *text) {
 static void port_warn(void *ctx, const char *text) {
     (void)ctx;
     if (script.job->trouble) return; /* the job has said it already, and better */
-    progress_wipe(&script.job->progress);
+    progress_wipe();
     fputs(text, stderr);
 }
 
