@@ -57,6 +57,7 @@ typedef struct trace_judgement {
     double max_speed_down, max_speed_up; /* mm/s over TRACE_WINDOW_S */
     double max_accel;                    /* mm/s^2, second difference of the position over TRACE_WINDOW_S */
     double max_accel_at_s;
+    double accel_limit;
     double settle_lift_s, settle_lower_s; /* shortest time from the pen's change to the next step; 0: none */
     unsigned long unsettled;              /* steps while the pen was settling */
     unsigned long disabled;               /* steps with the motors off */
@@ -68,8 +69,6 @@ typedef struct trace_judgement {
     bool legal; /* nothing of it is against the machine's numbers */
 } trace_judgement_t;
 
-/* What acceleration a path may show: along and across the path at once is sqrt(2), a junction deviates a little. */
-#define TRACE_ACCEL_FACTOR 1.6
 #define TRACE_SPEED_FACTOR 1.02
 #define TRACE_WINDOW_S 0.02
 /* Times are compared with this much grace, for traces in units coarser than a tick. */

@@ -141,7 +141,7 @@ static void judge_motion(const trace_t *t, const machine_t *m, trace_judgement_t
     const double stride = TRACE_WINDOW_S / STRIDES;
     double history[2 * STRIDES + 1][2] = {{0}};
     size_t cursor[2] = {0, 0};
-    pen_reader_t pen = {.t = t, .down = t->initial & HAL_PEN};
+    pen_reader_t begin = {.t = t, .down = t->initial & HAL_PEN}, end = begin; /* of the speed's window */
     double time = -INFINITY;
     for (;;) {
         double next = next_knot(knots, cursor), motor[2];
@@ -157,8 +157,10 @@ static void judge_motion(const trace_t *t, const machine_t *m, trace_judgement_t
         double speed = hypot(b[0] - a[0], b[1] - a[1]) / TRACE_WINDOW_S;
         double accel = hypot(p0[0] - 2 * p1[0] + p2[0], p0[1] - 2 * p1[1] + p2[1]) / (TRACE_WINDOW_S * TRACE_WINDOW_S);
         double middle = time - TRACE_WINDOW_S;
-        double *fastest = pen_down(&pen, middle) ? &out->max_speed_down : &out->max_speed_up;
-        if (speed > *fastest) *fastest = speed;
+        bool down = pen_down(&begin, middle - TRACE_WINDOW_S / 2),
+             still = pen_down(&end, middle + TRACE_WINDOW_S / 2) == down;
+        double *fastest = down ? &out->max_speed_down : &out->max_speed_up;
+        if (still && speed > *fastest) *fastest = speed;
         if (accel > out->max_accel) {
             out->max_accel = accel;
             out->max_accel_at_s = middle;
@@ -185,6 +187,14 @@ static void judge_lengths(const trace_t *t, const machine_t *m, trace_judgement_
     }
 }
 
+/* Along and across the path at once, and the change of velocity that the junction deviation d allows at one vertex:
+ * 2 v sin(t/2) with v^2 = a d s/(1-s), s = cos(t/2), is below 2 sqrt(2 a d) whatever the turn t. */
+static double accel_limit(const machine_t *m) {
+    double accel = m->accel_um_s2 * 1e-3, speed = fmax(m->draw_speed_um_s, m->travel_speed_um_s) * 1e-3;
+    double jump = fmin(2 * sqrt(2 * accel * m->junction_um * 1e-3), 2 * speed);
+    return accel * sqrt(2) + jump / TRACE_WINDOW_S;
+}
+
 int trace_judge(const trace_t *t, const machine_t *m, trace_judgement_t *out) {
     *out = (trace_judgement_t){.has_pen = t->has_pen, .has_enable = t->has_enable};
     trace_knots_t knots[2] = {{0}, {0}};
@@ -198,9 +208,9 @@ int trace_judge(const trace_t *t, const machine_t *m, trace_judgement_t *out) {
     if (e) return e;
 
     double coarsest = 65536.0 / fmin(m->steps_per_mm_q16[0], m->steps_per_mm_q16[1]);
-    double accel = m->accel_um_s2 * 1e-3 * TRACE_ACCEL_FACTOR + 4 * coarsest / (TRACE_WINDOW_S * TRACE_WINDOW_S);
     double jitter = coarsest / TRACE_WINDOW_S;
-    out->accel_ok = out->max_accel <= accel;
+    out->accel_limit = accel_limit(m);
+    out->accel_ok = out->max_accel <= out->accel_limit + 4 * jitter / TRACE_WINDOW_S;
     out->speed_ok = out->max_speed_down <= m->draw_speed_um_s * 1e-3 * TRACE_SPEED_FACTOR + jitter &&
                     out->max_speed_up <= m->travel_speed_um_s * 1e-3 * TRACE_SPEED_FACTOR + jitter;
     out->legal = out->accel_ok && out->speed_ok && out->ends_home && out->ends_up && out->ends_disabled &&
@@ -249,7 +259,7 @@ void trace_print(const trace_judgement_t *j, const machine_t *m, FILE *f) {
     fprintf(f, "%.2f mm/s pen down (limit %.2f), %.2f mm/s pen up (%.2f)\n", j->max_speed_down,
             m->draw_speed_um_s * 1e-3, j->max_speed_up, m->travel_speed_um_s * 1e-3);
     finding(f, j->accel_ok, "acceleration    ");
-    fprintf(f, "%.0f mm/s^2 at %.3f s (limit %.0f along and across the path at once)\n", j->max_accel,
-            j->max_accel_at_s, m->accel_um_s2 * 1e-3 * TRACE_ACCEL_FACTOR);
+    fprintf(f, "%.0f mm/s^2 at %.3f s (limit %.0f: along, across and at a vertex at once)\n", j->max_accel,
+            j->max_accel_at_s, j->accel_limit);
     fprintf(f, "%s\n", j->legal ? "legal" : "NOT LEGAL");
 }

@@ -16,6 +16,8 @@
 #include "motion/root.h"
 
 #define ONE_Q30 (1u << 30)
+/* A turn that rounding may have made (directions are within 4 units): with a junction deviation of 0 it would stop. */
+#define STRAIGHT_Q30 16
 
 _Static_assert((uint64_t)PLANNER_HEIGHT_MAX_Q3 <= ONE_Q30, "height times a q30 fits 60 bits");
 /* The longest line: 2 * reach in both, times sqrt(2), in q3. */
@@ -66,6 +68,7 @@ static uint32_t corner_q3(const planner_t *p, int32_t ux_q30, int32_t uy_q30, ui
     uint64_t sin2_q31 = dot >= (int64_t)ONE_Q30 ? 0 : (uint64_t)(ONE_Q30 - dot); /* sin^2(t/2), q31 */
     uint64_t cos2_q31 = (1ull << 31) > sin2_q31 ? (1ull << 31) - sin2_q31 : 0;
     uint32_t h = p->top_q3;
+    if (turn <= STRAIGHT_Q30 && dot > 0) return h;
 
     /* Centripetal: h = R/2, R = (L1 + L2) / (4 tan(t/2)), tan(t/2) = sin t / (1 + cos t). 33 + 31 bits, L below 2^31.6.
      */

@@ -55,7 +55,7 @@ void tracer_init(tracer_t *t, const kinematics_t *kin, uint32_t accel_um_s2, uin
      */
     uint64_t square_q40 = (((uint64_t)HAL_TICK_HZ * HAL_TICK_HZ / 1024 * 1000 * 64) / accel_um_s2) << 14;
     t->root_q20 = root_u64(square_q40);
-    t->last_step_q16[0] = t->last_step_q16[1] = -((int64_t)1 << 40);
+    t->last_step_q16[0] = t->last_step_q16[1] = t->taken_q16 = -((int64_t)1 << 40);
 }
 
 void tracer_speed(tracer_t *t, uint32_t speed_um_s, uint32_t top_q3) {
@@ -151,7 +151,11 @@ static void fit(tracer_t *t, const span_t *sp, const axis_t *a, int motor, uint3
         interval_q32 = to_m / m - (m - 1) * add_q32 / 2;
     }
     /* A step right after the one before, as happens where a motor turns round: keep the distance. */
-    int64_t earliest = t->last_step_q16[motor] + ((int64_t)t->min_gap_ticks << 16);
+    int64_t earliest = t->last_step_q16[motor];
+    /* DIR can change when the piece is taken, which is at the last step of the one before, be it the other motor's. */
+    if (a->forward != t->forward[motor]) earliest = t->taken_q16;
+    t->forward[motor] = a->forward;
+    earliest += (int64_t)t->min_gap_ticks << 16;
     if (first < earliest) first = earliest;
     int64_t offset = first - (t->piece_tick << 16);
     out->first_q32 = (uint64_t)(offset < 0 ? 0 : offset) << 16;
@@ -189,6 +193,7 @@ static void push_piece(tracer_t *t, const span_t *sp, axis_t axis[2], int64_t to
     p->set_pins = false;
     p->rest = rest;
     t->piece_tick = end;
+    t->taken_q16 = t->last_step_q16[0] > t->last_step_q16[1] ? t->last_step_q16[0] : t->last_step_q16[1];
     stepgen_push();
 }
 
@@ -306,5 +311,6 @@ void tracer_wait(tracer_t *t, uint32_t wait_us, uint8_t pins) {
     p->length = 1;
     stepgen_push();
     t->piece_tick = start + 1;
+    t->taken_q16 = start << 16;
     push_empty(t, NULL, start + ticks);
 }

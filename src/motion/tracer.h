@@ -31,6 +31,7 @@ typedef struct tracer {
     int32_t steps[2];         /* rounded: what the queue adds up to */
     int64_t last_step_q16[2]; /* when the motor's last pulse began */
     bool forward[2];          /* its direction then */
+    int64_t taken_q16;        /* when the interrupt takes the next piece */
     uint64_t pulses[2];
     int64_t out_time_q16; /* T(h) at the end of the last line */
     uint32_t top_q3;      /* the run's limit as a height, and what follows from it: */

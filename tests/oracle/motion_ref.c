@@ -9,7 +9,7 @@ static double turn(const double a[2], const double b[2]) {
 }
 
 static double corner_speed(double angle, double before, double after, const motion_ref_limits_t *l) {
-    if (angle < 1e-9) return l->speed;
+    if (angle < 2e-8) return l->speed; /* straight, but for rounding */
     double s = sin((acos(-1) - angle) / 2);
     double by_junction = sqrt(l->accel * l->junction * s / (1 - s));
     double by_radius = sqrt(l->accel * (before + after) / (4 * tan(angle / 2)));

@@ -136,8 +136,12 @@ static double follow(const rig_drawing_t *d, size_t *line, size_t end, const dou
     return nearest;
 }
 
+static double coarsest_mm(const machine_t *m) {
+    return 65536.0 / fmin(m->steps_per_mm_q16[0], m->steps_per_mm_q16[1]);
+}
+
 double rig_deviation_steps(const rig_drawing_t *d, const machine_t *m, const trace_t *t) {
-    double step_mm = 65536.0 / m->steps_per_mm_q16[0], worst = 0, motor[2] = {0, 0}, page[2] = {0, 0};
+    double step_mm = coarsest_mm(m), worst = 0, motor[2] = {0, 0}, page[2] = {0, 0};
     uint8_t pins = t->initial;
     size_t stroke = 0, line = 0, end = 0;
     for (size_t i = 0; i < t->count; i++) {
@@ -169,7 +173,7 @@ static size_t pen_up_after(const trace_t *t, size_t i) {
 double rig_timed_deviation_steps(const rig_drawing_t *d, const machine_t *m, const trace_t *t) {
     motion_ref_limits_t limits = {m->draw_speed_um_s * 1e-3, m->accel_um_s2 * 1e-3, m->junction_um * 1e-3};
     motion_ref_line_t *lines = malloc((d->points + 1) * sizeof *lines);
-    double step_mm = 65536.0 / m->steps_per_mm_q16[0], worst = 0, motor[2] = {0, 0}, start = 0, stretch = 0;
+    double step_mm = coarsest_mm(m), worst = 0, motor[2] = {0, 0}, start = 0, stretch = 0;
     size_t stroke = 0, line = 0, n = 0;
     const motion_ref_point_t *p = NULL;
     uint8_t pins = t->initial;

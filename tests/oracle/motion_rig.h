@@ -37,7 +37,8 @@ rig_run_t rig_run(const rig_drawing_t *d, const machine_t *m, size_t bytes, void
 /* The time that motion_init_estimate tells, in s. */
 double rig_estimate_s(const rig_drawing_t *d, const machine_t *m, size_t bytes);
 
-/* Greatest distance, in steps, of any position the pen takes (down) from the strokes, walked in order. */
+/* Greatest distance, in steps of the coarser motor, of any position the pen takes (down) from the strokes, walked in
+ * order. */
 double rig_deviation_steps(const rig_drawing_t *d, const machine_t *m, const trace_t *t);
 
 /* The same against where the ideal plan has the pen at that moment; the moment of a step is that of half of it. Each
