@@ -106,7 +106,7 @@ void trace_print_difference(const trace_t *a, const trace_t *b, const trace_diff
         fprintf(out, "the pins begin at %02x in one and %02x in the other\n", a->initial, b->initial);
     if (d->same_sequence && d->max_us == 0) return;
     fprintf(out, "%s change %zu (times from the first change):\n",
-            d->same_sequence ? "largest difference: " : "first difference: ", d->at + 1);
+            d->same_sequence ? "largest difference:" : "first difference:", d->at + 1);
     print_around(a, d->event_a, "a", out);
     print_around(b, d->event_b, "b", out);
 }
