@@ -16,7 +16,7 @@ judged() {
         echo "$commands"
         echo "splot $f with lines"
     } >judged.gp
-    verdict "$f" -n "$nx,$ny" -x "$x" -y "$y" "$@"
+    verdict -f "$f" -n "$nx,$ny" -x "$x" -y "$y" "$@"
 }
 
 # profiles COUNT SAMPLES X0:X1 Y0:Y1 FUNCTION COMMANDS [judge option...]: by the horizon algorithm
@@ -28,13 +28,13 @@ profiles() {
         echo "$commands"
         echo "splot $f with lines"
     } >judged.gp
-    verdict "$f" -H "$count,$samples" -x "$x" -y "$y" "$@"
+    verdict -f "$f" -H "$count,$samples" -x "$x" -y "$y" "$@"
 }
 
 verdict() {
     ridgeline plot judged.gp -o judged.seg
     # shellcheck disable=SC2086
-    "$judge" judged.seg $page -f "$@" >judged.txt || true
+    "$judge" judged.seg $page "$@" >judged.txt || true
     cat judged.gp judged.txt
     awk '$1 == "missing_mm" || $1 == "false_mm" { found++; if ($2 > 0.0125) bad = 1 } END { exit bad || found != 2 }' judged.txt
 }
@@ -80,5 +80,18 @@ horizon() {
     profiles 30 40 -2:2 -2:2 'sin(3*x)*cos(2*y)' 'set view 50,0; set hidden3d horizon infinite' -I
     profiles 20 40 -2:2 -2:2 'sqrt(3.1-x*x-y*y)' 'set view from 1,8,3'
 }
+# The demo's own files, as they are.
+demo_scenes() {
+    cp "$scenes"/*.gp "$scenes"/*.dat .
+    cp smooth.gp judged.gp
+    verdict -f 'exp(-x**2-y**2)' -n 60,60 -x -2:2 -y -2:2
+    cp sinc.gp judged.gp
+    verdict -f "$sinc" -n 60,60 -x -12:12 -y -12:12
+    # A nonuniform matrix as grid blocks: the judge reads those.
+    awk '/^#/ { next } !n { for (i = 2; i <= NF; i++) x[i] = $i; n = NF; next }
+         { for (i = 2; i <= n; i++) print x[i], $1, $i; print "" }' random60.dat >random.blocks
+    cp random.gp judged.gp
+    verdict -g random.blocks -e 6,8,3
+}
 
-run_tests perspective_outside perspective_inside perspective_in_a_grid_plane gnuplots_views holes cliffs horizon
+run_tests demo_scenes perspective_outside perspective_inside perspective_in_a_grid_plane gnuplots_views holes cliffs horizon

@@ -96,66 +96,89 @@ static void add_piece(work_t *w, judge_piece_t p) {
     w->piece[w->pieces++] = p;
 }
 
-static void match_edge(work_t *w, int family, int line, int k) {
-    exact_point_t e[2], c[2];
-    double t0, t1, depth[2];
+/* One edge as it is on the page. */
+typedef struct edge_match {
+    int family, line, k;
+    double t0, t1;   /* the part on the page */
+    double depth[2]; /* at its ends */
     page_seg_t on;
-    w->what->ends(w->what->ref, family, line, k, e);
-    if (!page_view_clip(w->v, e, &t0, &t1)) return;
-    for (int s = 0; s < 2; s++) {
-        double t = s ? t1 : t0;
-        c[s] = (exact_point_t){e[0].x + t * (e[1].x - e[0].x), e[0].y + t * (e[1].y - e[0].y),
-                               e[0].z + t * (e[1].z - e[0].z)};
-        depth[s] = w->v->m[2][0] * c[s].x + w->v->m[2][1] * c[s].y + w->v->m[2][2] * c[s].z + w->v->m[2][3];
+    spans_t visible, hidden;
+    spans_t maybe; /* what a drawing may show when moved by a step; asked for when needed */
+    bool asked;
+} edge_match_t;
+
+static double overlap(const spans_t *s, double a, double b) {
+    double sum = 0;
+    for (size_t n = 0; n < s->n; n++) sum += fmax(0, fmin(b, (double)s->s[n].b) - fmax(a, (double)s->s[n].a));
+    return sum;
+}
+
+/* Credits segment i with what it draws of the edge, and the edge with the segment. */
+static void match_segment(work_t *w, edge_match_t *e, int i) {
+    const page_seg_t *s = &w->seg[i];
+    double f0, f1, g0, g1;
+    if (!beside(&e->on, s, &f0, &f1, &g0, &g1)) return;
+    double a = e->t0 + (e->t1 - e->t0) * to_space(f0, e->depth[0], e->depth[1]);
+    double b = fmin(1, e->t0 + (e->t1 - e->t0) * to_space(f1, e->depth[0], e->depth[1]));
+    double hidden = overlap(&e->hidden, a, b);
+    if (hidden > 0 && !e->asked) {
+        spans_t visible = {0}, sure = {0};
+        judge_edge(w->what, w->v, e->family, e->line, e->k, 1, &visible, &sure);
+        spans_complement(&sure, 0, 1, &e->maybe);
+        e->asked = true;
+        spans_free(&visible);
+        spans_free(&sure);
     }
-    if (!page_view_point(w->v, c[0], &on.x0, &on.y0) || !page_view_point(w->v, c[1], &on.x1, &on.y1)) return;
-    spans_t visible = {0}, hidden = {0}, maybe = {0};
-    judge_edge(w->what, w->v, family, line, k, 1, &visible, &hidden);
-    spans_complement(&hidden, 0, 1, &maybe);
-    judge_edge(w->what, w->v, family, line, k, 0, &visible, &hidden);
+    bool forward = (s->x1 - s->x0) * (e->on.x1 - e->on.x0) + (s->y1 - s->y0) * (e->on.y1 - e->on.y0) > 0;
+    for (size_t n = 0; n < e->maybe.n; n++) {
+        double p = fmax(a, (double)e->maybe.s[n].a), q = fmin(b, (double)e->maybe.s[n].b);
+        if (!(p < q)) continue;
+        double fp = to_page((p - e->t0) / (e->t1 - e->t0), e->depth[0], e->depth[1]);
+        double fq = to_page((q - e->t0) / (e->t1 - e->t0), e->depth[0], e->depth[1]);
+        double gp = (fp - f0) / (f1 - f0), gq = (fq - f0) / (f1 - f0);
+        if (forward)
+            spans_add(&w->good[i], g0 + gp * (g1 - g0), g0 + gq * (g1 - g0));
+        else
+            spans_add(&w->good[i], g1 - gq * (g1 - g0), g1 - gp * (g1 - g0));
+    }
+    /* Ink beside an edge that is mostly hidden is some other line's, but covers what is visible. */
+    if (hidden < .5 * (b - a)) {
+        add_piece(w, (judge_piece_t){e->family, e->line, e->k + a, e->k + b});
+        return;
+    }
+    for (size_t n = 0; n < e->visible.n; n++) {
+        double p = fmax(a, (double)e->visible.s[n].a), q = fmin(b, (double)e->visible.s[n].b);
+        if (p < q) add_piece(w, (judge_piece_t){e->family, e->line, e->k + p, e->k + q});
+    }
+}
+
+static void match_edge(work_t *w, int family, int line, int k) {
+    edge_match_t e = {.family = family, .line = line, .k = k};
+    exact_point_t end[2], c[2];
+    w->what->ends(w->what->ref, family, line, k, end);
+    if (!page_view_clip(w->v, end, &e.t0, &e.t1)) return;
+    for (int s = 0; s < 2; s++) {
+        double t = s ? e.t1 : e.t0;
+        c[s] = (exact_point_t){end[0].x + t * (end[1].x - end[0].x), end[0].y + t * (end[1].y - end[0].y),
+                               end[0].z + t * (end[1].z - end[0].z)};
+        e.depth[s] = w->v->m[2][0] * c[s].x + w->v->m[2][1] * c[s].y + w->v->m[2][2] * c[s].z + w->v->m[2][3];
+    }
+    if (!page_view_point(w->v, c[0], &e.on.x0, &e.on.y0) || !page_view_point(w->v, c[1], &e.on.x1, &e.on.y1)) return;
+    judge_edge(w->what, w->v, family, line, k, 0, &e.visible, &e.hidden);
+    spans_complement(&e.hidden, 0, 1, &e.maybe);
     w->edge++;
-    int x0 = bin_of(fmin(on.x0, on.x1) - BIN_MM), x1 = bin_of(fmax(on.x0, on.x1) + BIN_MM);
-    int y0 = bin_of(fmin(on.y0, on.y1) - BIN_MM), y1 = bin_of(fmax(on.y0, on.y1) + BIN_MM);
+    int x0 = bin_of(fmin(e.on.x0, e.on.x1) - BIN_MM), x1 = bin_of(fmax(e.on.x0, e.on.x1) + BIN_MM);
+    int y0 = bin_of(fmin(e.on.y0, e.on.y1) - BIN_MM), y1 = bin_of(fmax(e.on.y0, e.on.y1) + BIN_MM);
     for (int by = y0; by <= y1; by++)
         for (int bx = x0; bx <= x1; bx++)
             for (int at = w->bins.head[by * BINS + bx]; at >= 0; at = w->bins.next[at]) {
                 int i = w->bins.item[at];
-                double f0, f1, g0, g1;
-                if (w->seen[i] == w->edge) continue;
+                if (w->seen[i] != w->edge) match_segment(w, &e, i);
                 w->seen[i] = w->edge;
-                if (!beside(&on, &w->seg[i], &f0, &f1, &g0, &g1)) continue;
-                double a = t0 + (t1 - t0) * to_space(f0, depth[0], depth[1]);
-                double b = fmin(1, t0 + (t1 - t0) * to_space(f1, depth[0], depth[1]));
-                bool forward =
-                    (w->seg[i].x1 - w->seg[i].x0) * (on.x1 - on.x0) + (w->seg[i].y1 - w->seg[i].y0) * (on.y1 - on.y0) >
-                    0;
-                double hidden_part = 0;
-                for (size_t n = 0; n < maybe.n; n++) {
-                    double p = fmax(a, (double)maybe.s[n].a), q = fmin(b, (double)maybe.s[n].b);
-                    if (!(p < q)) continue;
-                    double fp = to_page((p - t0) / (t1 - t0), depth[0], depth[1]);
-                    double fq = to_page((q - t0) / (t1 - t0), depth[0], depth[1]);
-                    double gp = (fp - f0) / (f1 - f0), gq = (fq - f0) / (f1 - f0);
-                    if (forward)
-                        spans_add(&w->good[i], g0 + gp * (g1 - g0), g0 + gq * (g1 - g0));
-                    else
-                        spans_add(&w->good[i], g1 - gq * (g1 - g0), g1 - gp * (g1 - g0));
-                }
-                /* Ink beside an edge that is mostly hidden is some other line's, but covers what is visible. */
-                for (size_t n = 0; n < hidden.n; n++)
-                    hidden_part += fmax(0, fmin(b, (double)hidden.s[n].b) - fmax(a, (double)hidden.s[n].a));
-                if (hidden_part < .5 * (b - a)) {
-                    add_piece(w, (judge_piece_t){family, line, k + a, k + b});
-                    continue;
-                }
-                for (size_t n = 0; n < visible.n; n++) {
-                    double p = fmax(a, (double)visible.s[n].a), q = fmin(b, (double)visible.s[n].b);
-                    if (p < q) add_piece(w, (judge_piece_t){family, line, k + p, k + q});
-                }
             }
-    spans_free(&visible);
-    spans_free(&hidden);
-    spans_free(&maybe);
+    spans_free(&e.visible);
+    spans_free(&e.hidden);
+    spans_free(&e.maybe);
 }
 
 void judge_segments(const judge_subject_t *what, const page_view_t *v, const page_seg_t *seg, size_t n,
