@@ -7,18 +7,10 @@
  *        C0 --0-- C1         signs below, a far side the other way round. */
 #include "tests/oracle/surface_ref.h"
 
-#include <math.h>
+#include "tests/oracle/surface_visit.h"
 
 enum { SOUTH, EAST, NORTH, WEST };
 enum nadir { NADIR_BELOW, NADIR_ABOVE, NADIR_UNSURE };
-
-/* The edge in question, with the box of its node indices. */
-typedef struct query {
-    const surface_ref_t *r;
-    exact_point_t p[2];
-    int imin, imax, jmin, jmax;
-    int lean; /* +1, -1: seen from a little to the left, right of a vertical plane that holds it; else 0 */
-} query_t;
 
 exact_point_t surface_ref_node(const surface_ref_t *r, int i, int j) {
     return (exact_point_t){r->x[i], r->y[j], r->z[j * r->nx + i]};
@@ -77,8 +69,40 @@ static enum nadir nadir_of(const surface_ref_t *r, const exact_point_t c[4]) {
     return s > 0 && t > 0 ? NADIR_BELOW : s < 0 && t < 0 ? NADIR_ABOVE : NADIR_UNSURE;
 }
 
-/* Adds what cell (ci, cj), a neighbour of the edge if `own`, hides of it. */
-static void cell_hides(const query_t *q, int ci, int cj, bool own, spans_t *hidden, spans_t *either) {
+/* A cell of another sheet that has the edge, in a vertical plane through the eye, above or below one of its sides: seen
+ * from a little to that side it covers from its near chain as far as that side. */
+static void side_hides(const query_t *q, const exact_point_t c[4], const long double a[4][2], const int in[4],
+                       enum nadir n, spans_t *hidden, spans_t *either) {
+    const surface_ref_t *r = q->r;
+    double s0 = surface_ref_node(r, q->imin, q->jmin).z, s1 = surface_ref_node(r, q->imax, q->jmax).z;
+    long double v0 = (long double)q->p[0].z - s0, v1 = (long double)q->p[1].z - s1;
+    bool outside = false;
+    for (int k = 0; k < 4; k++) {
+        int k1 = (k + 1) & 3;
+        span_t both = {0, 1};
+        outside |= in[k] < 0;
+        if (in[k] >= 0) continue;
+        span_keep_positive(&both, -a[k][0], -a[k][1]);
+        span_keep_positive(&both, a[k1][0], a[k1][1]);
+        if (!(both.a < both.b)) continue;
+        long double u0 = exact_plane(&r->eye, &c[k], &c[k1], &q->p[0]);
+        long double u1 = exact_plane(&r->eye, &c[k], &c[k1], &q->p[1]);
+        for (int s = -1; s <= 1; s += 2) {
+            span_t t = both;
+            span_keep_positive(&t, s * u0, s * u1);
+            span_keep_positive(&t, s * v0, s * v1);
+            spans_add(hidden, t.a, t.b);
+        }
+    }
+    if (outside) return;
+    span_t t = {0, 1};
+    if (n == NADIR_BELOW) span_keep_positive(&t, -v0, -v1);
+    if (n == NADIR_ABOVE) span_keep_positive(&t, v0, v1);
+    spans_add(n == NADIR_UNSURE ? either : hidden, t.a, t.b);
+}
+
+/* Adds what cell (ci, cj) hides of the edge. */
+static void cell_hides(const query_t *q, int ci, int cj, enum place place, spans_t *hidden, spans_t *either) {
     const surface_ref_t *r = q->r;
     exact_point_t c[4] = {surface_ref_node(r, ci, cj), surface_ref_node(r, ci + 1, cj),
                           surface_ref_node(r, ci + 1, cj + 1), surface_ref_node(r, ci, cj + 1)};
@@ -93,6 +117,9 @@ static void cell_hides(const query_t *q, int ci, int cj, bool own, spans_t *hidd
     if (!left || !right) return;
     int in[4], outside = 0;
     for (int k = 0; k < 4; k++) in[k] = inside(r, ci, cj, k), outside += in[k] < 0;
+    bool own = place == OWN;
+    if (place == OVER && q->lean)
+        side_hides(q, c, (const long double(*)[2])a, in, outside ? NADIR_UNSURE : nadir_of(r, c), hidden, either);
     for (int m = 0; m < 4; m++) {
         int m1 = (m + 1) & 3;
         if (in[m] <= 0 || !past_far(q, ci, cj, m)) continue;
@@ -130,84 +157,20 @@ static void cell_hides(const query_t *q, int ci, int cj, bool own, spans_t *hidd
     }
 }
 
-/* Widens [*lo, *hi] by the abscissae of segment p-q within the slab ylo <= y <= yhi. */
-static void slab_range(const long double p[2], const long double q[2], long double ylo, long double yhi,
-                       long double *lo, long double *hi) {
-    long double t0 = 0, t1 = 1, dy = q[1] - p[1];
-    if (dy == 0) {
-        if (p[1] < ylo || p[1] > yhi) return;
-    } else {
-        long double a = (ylo - p[1]) / dy, b = (yhi - p[1]) / dy;
-        t0 = fmaxl(0, fminl(a, b));
-        t1 = fminl(1, fmaxl(a, b));
-        if (t0 > t1) return;
-    }
-    long double a = p[0] + t0 * (q[0] - p[0]), b = p[0] + t1 * (q[0] - p[0]);
-    *lo = fminl(*lo, fminl(a, b));
-    *hi = fmaxl(*hi, fmaxl(a, b));
-}
-
-/* Ground quadrilateral between the edge and the eye (or, for a parallel view, a point beyond the grid). */
-static void footprint(const query_t *q, long double f[4][2]) {
-    const surface_ref_t *r = q->r;
-    long double reach = r->x[r->nx - 1] - r->x[0] + (r->y[r->ny - 1] - r->y[0]);
-    long double size = fabsl(r->eye.x) + fabsl(r->eye.y);
-    for (int s = 0; s < 2; s++) {
-        f[s][0] = q->p[s].x;
-        f[s][1] = q->p[s].y;
-        f[3 - s][0] = r->eye.h ? (long double)r->eye.x : f[s][0] + (size > 0 ? 2 * reach * r->eye.x / size : 0);
-        f[3 - s][1] = r->eye.h ? (long double)r->eye.y : f[s][1] + (size > 0 ? 2 * reach * r->eye.y / size : 0);
-    }
-}
-
-/* The first column of cells that reaches beyond x. */
-static int first_column(const surface_ref_t *r, long double x) {
-    int lo = 0, hi = r->nx - 1;
-    while (lo < hi) {
-        int mid = (lo + hi) / 2;
-        if (r->x[mid + 1] < x)
-            lo = mid + 1;
-        else
-            hi = mid;
-    }
-    return lo;
-}
-
-typedef void visit_fn(const query_t *q, int ci, int cj, bool own, void *ctx);
-
-/* Visits every existing cell that may be between the edge and the eye; the margins only cost time. */
-static void visit_cells(const query_t *q, visit_fn *visit, void *ctx) {
-    const surface_ref_t *r = q->r;
-    long double f[4][2];
-    footprint(q, f);
-    long double slack_x = 1e-9L * (r->x[r->nx - 1] - r->x[0]), slack_y = 1e-9L * (r->y[r->ny - 1] - r->y[0]);
-    for (int cj = 0; cj + 1 < r->ny; cj++) {
-        long double lo = INFINITY, hi = -INFINITY;
-        for (int k = 0; k < 4; k++)
-            slab_range(f[k], f[(k + 1) & 3], r->y[cj] - slack_y, r->y[cj + 1] + slack_y, &lo, &hi);
-        if (lo > hi) continue;
-        for (int ci = first_column(r, lo - slack_x); ci + 1 < r->nx && r->x[ci] <= hi + slack_x; ci++) {
-            if (!surface_ref_cell_exists(r, ci, cj)) continue;
-            bool own = q->imin >= ci && q->imax <= ci + 1 && q->jmin >= cj && q->jmax <= cj + 1;
-            visit(q, ci, cj, own, ctx);
-        }
-    }
-}
-
 typedef struct cover {
     bool skip_own;
     spans_t *hidden, *either;
 } cover_t;
 
-static void visit_cover(const query_t *q, int ci, int cj, bool own, void *ctx) {
+static void visit_cover(const query_t *q, int ci, int cj, enum place place, void *ctx) {
     const cover_t *c = ctx;
-    if (own && c->skip_own) return;
-    cell_hides(q, ci, cj, own, c->hidden, c->either);
+    if (place == OWN && c->skip_own) return;
+    cell_hides(q, ci, cj, place, c->hidden, c->either);
 }
 
 static void all_cells(const query_t *q, bool skip_own, spans_t *hidden, spans_t *either) {
     cover_t c = {skip_own, hidden, either};
-    visit_cells(q, visit_cover, &c);
+    surface_visit(q, visit_cover, &c);
     spans_tidy(hidden);
     spans_tidy(either);
 }
@@ -272,13 +235,13 @@ typedef struct doubling {
 } doubling_t;
 
 /* Adds where a side of the cell, in front of the edge, lies between the edge's two moved copies. */
-static void visit_doubled(const query_t *q, int ci, int cj, bool own, void *ctx) {
+static void visit_doubled(const query_t *q, int ci, int cj, enum place place, void *ctx) {
     const surface_ref_t *r = q->r;
     const doubling_t *d = ctx;
     int ni[5] = {ci, ci + 1, ci + 1, ci, ci}, nj[5] = {cj, cj, cj + 1, cj + 1, cj};
     for (int k = 0; k < 4; k++) {
         int in = inside(r, ci, cj, k);
-        bool near = in < 0 && past_near(q, ci, cj, k), far = in > 0 && past_far(q, ci, cj, k) && !own;
+        bool near = in < 0 && past_near(q, ci, cj, k), far = in > 0 && past_far(q, ci, cj, k) && place != OWN;
         if (!near && !far) continue;
         exact_point_t c0 = surface_ref_node(r, ni[k], nj[k]), c1 = surface_ref_node(r, ni[k + 1], nj[k + 1]);
         long double sign = near ? 1 : -1;
@@ -305,6 +268,6 @@ void surface_ref_doubled(const surface_ref_t *r, int family, int line, int k, co
     query_t q = query_of(r, family, line, k);
     doubling_t d = {moved, other, out};
     spans_clear(out);
-    visit_cells(&q, visit_doubled, &d);
+    surface_visit(&q, visit_doubled, &d);
     spans_tidy(out);
 }

@@ -28,6 +28,11 @@ typedef struct surface_ref {
     double *z;           /* z[j * nx + i] */
     unsigned char *hole; /* same layout, 1 where undefined; NULL if there are none */
     exact_eye_t eye;
+    /* Further sheets over the same grid, which hide this one too. They must not cross it or each other: two cells over
+     * one rectangle have no order of their own. */
+    int sheets;
+    double *const *sheet_z;
+    unsigned char *const *sheet_hole; /* NULL if no sheet has holes */
 } surface_ref_t;
 
 enum { REF_ROW = 0, REF_COL = 1 }; /* y = y[line], counted along x; x = x[line], counted along y */
