@@ -105,6 +105,28 @@ static void test_hole(void **state) {
     expect_hidden(&r, REF_ROW, 2, 1, 1, (double[]){0, 1});
 }
 
+/* A roof at z = 1 over a floor at z = 0: from (.5, -1, 3) the roof's front edge throws its shadow on y = 0.5, on the
+ * floor's middle column, which is in a plane with the eye, too. */
+static void test_sheets(void **state) {
+    (void)state;
+    double x[] = {0, .5, 1}, y[] = {0, 1, 2}, floor_z[9] = {0}, roof_z[9];
+    double *other[1] = {roof_z};
+    for (int i = 0; i < 9; i++) roof_z[i] = 1;
+    surface_ref_t r = {.nx = 3, .ny = 3, .x = x, .y = y, .z = floor_z, .eye = {.5, -1, 3, 1}};
+    expect_hidden(&r, REF_COL, 1, 0, 0, NULL);
+    r.sheets = 1;
+    r.sheet_z = other;
+    expect_hidden(&r, REF_ROW, 0, 0, 0, NULL);
+    expect_hidden(&r, REF_ROW, 1, 0, 1, (double[]){0, 1});
+    expect_hidden(&r, REF_COL, 0, 0, 1, (double[]){.5, 1});
+    expect_hidden(&r, REF_COL, 1, 0, 1, (double[]){.5, 1});
+    expect_hidden(&r, REF_COL, 1, 1, 1, (double[]){0, 1});
+    r.z = roof_z;
+    other[0] = floor_z;
+    expect_hidden(&r, REF_COL, 1, 0, 0, NULL);
+    expect_hidden(&r, REF_ROW, 2, 1, 0, NULL);
+}
+
 static uint64_t seed;
 static double rnd(void) {
     seed = seed * 6364136223846793005u + 1442695040888963407u;
@@ -191,9 +213,13 @@ static void test_random_against_crude(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ridge),  cmocka_unit_test(test_grid_plane),
-        cmocka_unit_test(test_shadow), cmocka_unit_test(test_over_vertex),
-        cmocka_unit_test(test_hole),   cmocka_unit_test(test_random_against_crude),
+        cmocka_unit_test(test_ridge),
+        cmocka_unit_test(test_grid_plane),
+        cmocka_unit_test(test_shadow),
+        cmocka_unit_test(test_over_vertex),
+        cmocka_unit_test(test_hole),
+        cmocka_unit_test(test_sheets),
+        cmocka_unit_test(test_random_against_crude),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
