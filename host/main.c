@@ -9,7 +9,7 @@
 #include "host/prompt.h"
 #include "host/script.h"
 #include "host/trace.h"
-#include "host/version.h"
+#include "version.h"
 
 static void configure(job_t *job, const options_t *o) {
     job_init(job);

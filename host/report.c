@@ -2,7 +2,7 @@
 #include "host/report.h"
 
 #include "hal/hal.h"
-#include "host/version.h"
+#include "version.h"
 
 static double compute_s(const report_t *r) {
     return r->measure_s + r->hide_s + r->order_s;

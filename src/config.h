@@ -80,4 +80,14 @@ _Static_assert(CONFIG_DATA_COLUMNS < 64, "data_reader keeps one bit per column i
 #define CONFIG_NAME_MAX 1000
 #endif
 
+/* A board's console: bytes typed ahead, a power of two. */
+#ifndef CONFIG_TYPED
+#define CONFIG_TYPED 256
+#endif
+
+/* A board's console: definitions of variables and functions as they were typed, for `save` (bytes). */
+#ifndef CONFIG_JOURNAL
+#define CONFIG_JOURNAL 2048
+#endif
+
 #endif

@@ -3,16 +3,25 @@
 
 #include "app/picture_stages.h"
 #include "error.h"
+#include "hidden/horizon.h"
+#include "hidden/perimeter.h"
 #include "view/autoscale.h"
 
 #define SMALL_ARENA ((size_t)256 * 1024)
 
 void picture_progress(picture_t *p, enum picture_stage stage, int32_t done, int32_t of) {
+    p->stage = stage;
+    p->stage_done = done;
+    p->stage_of = of;
     if (p->hooks && p->hooks->progress) p->hooks->progress(p->hooks->ctx, stage, done, of);
 }
 
+static size_t kernel_part(size_t arena_bytes) {
+    return arena_bytes < SMALL_ARENA ? 2 : 4;
+}
+
 void *picture_kernel_memory(picture_t *p, size_t *bytes) {
-    *bytes = arena_left(&p->arena) / (p->arena.bytes < SMALL_ARENA ? 2 : 4);
+    *bytes = arena_left(&p->arena) / kernel_part(p->arena.bytes);
     return arena_take(&p->arena, *bytes);
 }
 
@@ -50,6 +59,11 @@ static bool ink_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, 
     return line_space_point(&p->lines[surface], family, line, t_q30, out);
 }
 
+static int drop_ink(void *ctx, const ink_piece_t *piece) {
+    (void)ctx, (void)piece;
+    return 0;
+}
+
 int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t runs) {
     const machine_t *machine = &p->plot->settings->machine;
     uint32_t coarse = machine->steps_per_mm_q16[0] < machine->steps_per_mm_q16[1] ? machine->steps_per_mm_q16[0]
@@ -70,7 +84,7 @@ int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t r
 
     bool inside = true;
     for (int32_t k = 0; k < p->spaces; k++) inside = inside && p->lines[k].all_inside;
-    p->cut = (cut_t){p->lines, path_sink(&p->path)};
+    p->cut = (cut_t){p->lines, p->trial ? (ink_sink_t){NULL, drop_ink} : path_sink(&p->path)};
     p->sink = inside ? p->cut.next : cut_sink(&p->cut);
     picture_progress(p, PICTURE_HIDE, 0, 1);
     return 0;
@@ -78,14 +92,14 @@ int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t r
 
 int picture_close(picture_t *p) {
     picture_progress(p, PICTURE_DRAW, 0, 1);
+    if (p->trial) return 0;
     int err = path_finish(&p->path, &p->stats.path);
     p->stats.path_bytes = p->stats.path.bytes;
     return err;
 }
 
-int picture_draw(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const pen_sink_t *pen,
-                 const picture_hooks_t *hooks) {
-    *p = (picture_t){.plot = plot, .hooks = hooks, .arena = {mem, bytes, 0}};
+static int run(picture_t *p, const pen_sink_t *pen) {
+    const plot_t *plot = p->plot;
     picture_progress(p, PICTURE_MEASURE, 0, 1);
     int err;
     if (plot->kind == PLOT_CURVES)
@@ -96,6 +110,48 @@ int picture_draw(picture_t *p, const plot_t *plot, void *mem, size_t bytes, cons
         err = picture_surfaces(p, pen);
     picture_progress(p, PICTURE_DONE, 1, 1);
     return err;
+}
+
+int picture_draw(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const pen_sink_t *pen,
+                 const picture_hooks_t *hooks) {
+    *p = (picture_t){.plot = plot, .hooks = hooks, .arena = {mem, bytes, 0}};
+    return run(p, pen);
+}
+
+int picture_try(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const picture_hooks_t *hooks) {
+    *p = (picture_t){.plot = plot, .hooks = hooks, .trial = true, .arena = {mem, bytes, 0}};
+    return run(p, NULL);
+}
+
+/* What the kernel needs for any surface or terrain that is not out of the ordinary; 0: nothing that depends on it. */
+static size_t kernel_bytes(const plot_t *plot) {
+    const settings_t *s = plot->settings;
+    if (plot->kind == PLOT_CURVES) return 0;
+    if (plot->kind == PLOT_MESH || s->hidden == HIDDEN_HORIZON) return horizon_bytes(8 * s->samples[0]);
+    if (s->hidden == HIDDEN_NONE) return 0;
+    const surface_t *f = &plot->item[0].surface;
+    return perimeter_bytes(f->nx, 10 * (f->nx + f->ny));
+}
+
+bool picture_is_safe(const plot_t *plot, size_t bytes) {
+    size_t kernel = kernel_bytes(plot);
+    return kernel == 0 || kernel <= bytes / kernel_part(bytes);
+}
+
+size_t picture_bytes_least(const plot_t *plot) {
+    size_t kernel = kernel_bytes(plot), bytes = 2 * kernel;
+    if (kernel_part(bytes) > 2) bytes = kernel_part(bytes) * kernel;
+    return bytes + 2 * PATH_BYTES_MIN;
+}
+
+int32_t picture_permille(const picture_t *p) {
+    int64_t runs = p->path.stats.runs, left = p->path.pool.n;
+    if (p->stage == PICTURE_DONE) return 1000;
+    if (p->stage == PICTURE_MEASURE || runs == 0) return 0;
+    if (p->path.drawing) left -= left * p->path.drawn / p->path.drawing;
+    int64_t permille = 1000 * (runs - left) / runs;
+    if (p->stage == PICTURE_HIDE && p->stage_of) permille = permille * p->stage_done / p->stage_of;
+    return (int32_t)permille;
 }
 
 size_t picture_bytes(const plot_t *plot) {

@@ -50,6 +50,9 @@ typedef struct picture_stats {
 typedef struct picture {
     const plot_t *plot;
     const picture_hooks_t *hooks;
+    bool trial;                   /* only to see whether it fits */
+    enum picture_stage stage;     /* as last told to the hooks */
+    int32_t stage_done, stage_of; /* and how far it is */
     arena_t arena;
     camera_t camera;
     path_t path;
@@ -76,6 +79,16 @@ typedef struct picture {
  * (nothing or a part was drawn); ERR_UNSUPPORTED no kernel draws this scene correctly; or the pen's error. */
 int picture_draw(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const pen_sink_t *pen,
                  const picture_hooks_t *hooks);
+/* The same work up to the ordering of ink, without drawing: whether picture_draw would get through with this memory.
+ * Returns as it does. */
+int picture_try(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const picture_hooks_t *hooks);
+/* Can plot run out of memory only before its first stroke? Otherwise picture_try tells whether it will. */
+bool picture_is_safe(const plot_t *plot, size_t bytes);
+/* A block that is large enough also for random surfaces (up to 200 x 200), with nothing cached. */
+size_t picture_bytes_least(const plot_t *plot);
+/* How much of the drawing is done (in 1/1000), reckoned in runs of ink. While picture_draw works, from its hooks or pen
+ * sink. */
+int32_t picture_permille(const picture_t *p);
 /* A block large enough for most scenes of this size with everything cached; ERR_FULL asks for more all the same. */
 size_t picture_bytes(const plot_t *plot);
 

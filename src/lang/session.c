@@ -22,7 +22,7 @@ void session_init(session_t *s, const session_port_t *port, void *pool, size_t p
     memset(s, 0, sizeof *s);
     s->port = port;
     s->pool.base = pool;
-    s->pool_size = pool ? pool_bytes / sizeof(packed_t) : 0;
+    s->pool_size = s->pool.high = pool ? pool_bytes / sizeof(packed_t) : 0;
     s->frames = 1;
     s->frame[0].handle = -1;
     forget_line(&s->frame[0]);

@@ -82,13 +82,18 @@ int motion_init_estimate(motion_t *m, const machine_t *machine, void *mem, size_
     return init(m, machine, mem, bytes, true);
 }
 
-void motion_start_at(motion_t *m, const int32_t steps[2]) {
-    m->at = kinematics_page(&m->kin, steps);
-    kinematics_motors(&m->kin, m->at, m->tracer.pos);
+void motion_start_at(motion_t *m, page_point_t at) {
+    m->at = at;
+    kinematics_motors(&m->kin, at, m->tracer.pos);
     for (int i = 0; i < 2; i++) {
-        m->tracer.steps[i] = steps[i];
-        if (!m->estimate) stepgen_set_position(i, steps[i]);
+        m->tracer.steps[i] = kinematics_round(m->tracer.pos[i]);
+        if (!m->estimate) stepgen_set_position(i, m->tracer.steps[i]);
     }
+}
+
+page_point_t motion_place(const motion_t *m) {
+    const int32_t steps[2] = {stepgen_position(0), stepgen_position(1)};
+    return kinematics_page(&m->kin, steps);
 }
 
 void motion_on_wait(motion_t *m, void (*wait)(void *ctx), void *ctx) {

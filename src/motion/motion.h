@@ -69,8 +69,10 @@ int motion_init(motion_t *m, const machine_t *machine, void *mem, size_t bytes);
 /* The same planner without steps: motion_finish tells the time, lengths and lifts (steps stay 0). No hal call is made.
  * Cost: about 50 ns per segment on a desktop. */
 int motion_init_estimate(motion_t *m, const machine_t *machine, void *mem, size_t bytes);
-/* After motion_init: the motors stand at these steps instead of home; they stay on if they are. */
-void motion_start_at(motion_t *m, const int32_t steps[2]);
+/* After motion_init: the pen is here instead of at home, which is at its motors' nearest steps. */
+void motion_start_at(motion_t *m, page_point_t at);
+/* Where the pen is, also while it moves: the steps made so far. */
+page_point_t motion_place(const motion_t *m);
 /* After motion_init: wait is called instead of hal_idle() whenever the machine is waited for; it must call hal_idle().
  */
 void motion_on_wait(motion_t *m, void (*wait)(void *ctx), void *ctx);

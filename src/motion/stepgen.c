@@ -216,7 +216,7 @@ static void stop_running(void) {
 void stepgen_isr(void) {
     edges_t e = {0, 0};
     uint32_t actual = hal_now();
-    if (g.halted) return;
+    if (!g.running || g.parked) return; /* halted, or only woken */
     if ((int32_t)(actual - g.now) > (int32_t)g.slack) slip(actual - g.now);
     if ((int32_t)(g.now - actual) > EARLY_TICKS) g.now = actual;
 
@@ -300,6 +300,11 @@ void stepgen_start(void) {
     hal_timer_arm(g.now);
 }
 
+void stepgen_wake(uint32_t ticks) {
+    if (__atomic_load_n(&g.running, __ATOMIC_ACQUIRE) && !__atomic_load_n(&g.parked, __ATOMIC_ACQUIRE)) return;
+    hal_timer_arm(hal_now() + ticks);
+}
+
 bool stepgen_idle(void) {
     return g.halted || (!__atomic_load_n(&g.running, __ATOMIC_ACQUIRE) && g.head == g.tail);
 }
@@ -311,6 +316,10 @@ uint32_t stepgen_starved(void) {
 }
 uint32_t stepgen_late(void) {
     return g.late;
+}
+
+bool stepgen_pen_down(void) {
+    return g.pins & HAL_PEN;
 }
 
 void stepgen_set_position(int motor, int32_t steps) {
@@ -352,6 +361,7 @@ void stepgen_halt(bool motors_on) {
     g.halted = true;
     hal_pins_write(HAL_X_STEP | HAL_Y_STEP | HAL_PEN | (motors_on ? 0 : HAL_ENABLE), 0);
     g.set_pins = g.hold = g.stretched = g.parked = false;
+    g.pins = motors_on ? g.pins & HAL_ENABLE : 0;
     g.tail = g.head;
     stop_running();
 }

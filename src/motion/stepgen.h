@@ -56,10 +56,15 @@ stepgen_piece_t *stepgen_slot(void);
 void stepgen_push(void);
 /* Starts the interrupt if it stands still and there is something to do, unless held. Context: main loop. */
 void stepgen_start(void);
+/* For hal_idle() on a chip that sleeps: makes sure that some interrupt comes within so many ticks. Context: main loop.
+ */
+void stepgen_wake(uint32_t ticks);
 /* True when every piece has been carried out, or after a halt. */
 bool stepgen_idle(void);
 /* Pulses counted at the pins, with sign. Exact when idle or held. */
 int32_t stepgen_position(int motor);
+/* Is the pen down? As last written by a piece or a halt. */
+bool stepgen_pen_down(void);
 /* What the count begins at: after stepgen_init only. */
 void stepgen_set_position(int motor, int32_t steps);
 

@@ -84,12 +84,15 @@ static int flush(path_t *p, bool all) {
     tour_improve(&tour, operations);
     tour_settle(&tour);
     int32_t count = all ? tour.n : (tour.n + FLUSH_PART - 1) / FLUSH_PART;
+    p->drawing = tour.n;
     for (int32_t k = 0; k < count; k++) {
+        p->drawn = k;
         int32_t start = tour_stroke(&tour, pool, k);
         if (!all && drop_if_dot(p, start)) continue;
         int err = emit_stroke(pool, p->map, start, &p->simplify, &p->stats.vertices);
         if (err) return err;
     }
+    p->drawing = p->drawn = 0;
     forget_drawn(pool);
     p->kept = pool->n;
     return 0;

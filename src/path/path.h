@@ -54,6 +54,7 @@ typedef struct path {
     simplify_t simplify;
     page_point_t at, arrival_at; /* where the pen is, and would be without ordering */
     int32_t kept;                /* runs in the pool that have been through a flush */
+    int32_t drawing, drawn;      /* while strokes of the pool are drawn: how many there are, and which */
     path_stats_t stats;
 } path_t;
 

@@ -1,3 +1,4 @@
+/* version.h - the one place that knows it. */
 #ifndef VERSION_H
 #define VERSION_H
 

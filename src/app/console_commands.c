@@ -1,0 +1,211 @@
+/* console_commands.c - the commands that only a board has. They are whole lines, so that `home = 3` stays a variable.
+ *
+ *     home, unlock, pen up|down, motors on|off        the machine
+ *     save, load, autorun on|off                      the saved scene
+ *     status, help board */
+#include <string.h>
+
+#include "app/console_parts.h"
+#include "app/say.h"
+#include "app/store.h"
+#include "error.h"
+#include "hal/hal.h"
+
+static const char AUTORUN[] = "autorun on\n";
+
+static int home(console_t *c) {
+    realtime_busy(&c->realtime, true);
+    int err = carriage_home(&c->carriage, &c->session.settings.machine);
+    realtime_busy(&c->realtime, false);
+    c->realtime.cancelled = false;
+    if (!err) say("home\n");
+    return err;
+}
+
+static int unlock(console_t *c) {
+    if (!carriage_unlock(&c->carriage)) return ERR_MACHINE;
+    say("unlocked: the pen is taken to be at its origin\n");
+    return 0;
+}
+
+static int pen_up(console_t *c) {
+    carriage_pen_test(&c->carriage, &c->session.settings.machine, false);
+    return 0;
+}
+
+static int pen_down(console_t *c) {
+    carriage_pen_test(&c->carriage, &c->session.settings.machine, true);
+    return 0;
+}
+
+static int motors_on(console_t *c) {
+    carriage_motors(&c->carriage, true);
+    return 0;
+}
+
+static int motors_off(console_t *c) {
+    carriage_motors(&c->carriage, false);
+    return 0;
+}
+
+/* Free memory as a record, and how much text it can hold so that store_save has room, too. */
+static store_record_t *borrow(console_t *c, size_t *room, size_t *text) {
+    store_record_t *r = console_free_memory(c, room);
+    size_t half = *room / 8 * 4;
+    *text = half < sizeof *r + 4 ? 0 : half - sizeof *r;
+    if (*text > STORE_TEXT_MAX) *text = STORE_TEXT_MAX;
+    return r;
+}
+
+static int keep_text(console_t *c, enum store_kind kind, store_record_t *r, int len, size_t room) {
+    if (len < 0) return len;
+    realtime_busy(&c->realtime, true);
+    int err = store_save(kind, r, (size_t)len, room);
+    realtime_busy(&c->realtime, false);
+    return err;
+}
+
+static int save(console_t *c) {
+    size_t room, text;
+    store_record_t *r = borrow(c, &room, &text);
+    if (!text) return ERR_FULL;
+    int len = keep_scene(&c->keep, &c->session, &c->capture, r->text, text);
+    if (len == ERR_EMPTY) say("There is no plot to save yet.\n");
+    if (len == ERR_DATA) say("A scene with inline data cannot be saved.\n");
+    if (len == ERR_FULL) say("The scene's text is too long to be saved.\n");
+    int err = keep_text(c, STORE_SCENE, r, len, room);
+    if (!err) say("saved\n");
+    return err;
+}
+
+int console_keep_settings(console_t *c) {
+    if (c->loading) return 0;
+    size_t room, text;
+    store_record_t *r = borrow(c, &room, &text);
+    if (text < sizeof AUTORUN) return ERR_FULL;
+    int len = keep_machine(&c->session, &c->capture, r->text, text - sizeof AUTORUN);
+    if (len >= 0 && c->autorun) {
+        memcpy(r->text + len, AUTORUN, sizeof AUTORUN);
+        len += (int)sizeof AUTORUN - 1;
+    }
+    int err = keep_text(c, STORE_SETTINGS, r, len, room);
+    if (!err) c->kept_machine = c->session.settings.machine;
+    return err;
+}
+
+/* Line by line. A plot may use the memory that the text lies in: it is the last line. */
+static int run_text(console_t *c, char *text, int len) {
+    char *end = text + len;
+    int err = 0;
+    c->loading = true;
+    while (text < end && !err) {
+        char *lf = memchr(text, '\n', (size_t)(end - text));
+        if (!lf) break;
+        *lf = '\0';
+        err = console_execute(c, text);
+        text = lf + 1;
+    }
+    c->loading = false;
+    return err;
+}
+
+void console_load_settings(console_t *c) {
+    size_t room, text;
+    store_record_t *r = borrow(c, &room, &text);
+    int len = store_load(STORE_SETTINGS, r, room);
+    if (len < 0) return;
+    run_text(c, r->text, len);
+    c->kept_machine = c->session.settings.machine;
+}
+
+int console_load(console_t *c) {
+    size_t room, text;
+    store_record_t *r = borrow(c, &room, &text);
+    int len = store_load(STORE_SCENE, r, room);
+    if (len == ERR_EMPTY) say("There is no saved scene.\n");
+    if (len < 0) return len;
+    session_line(&c->session, "reset session"); /* the same picture, whatever was typed before */
+    c->session.settings.machine = c->kept_machine;
+    keep_clear(&c->keep);
+    return run_text(c, r->text, len);
+}
+
+static int set_autorun(console_t *c, bool on) {
+    c->autorun = on;
+    return console_keep_settings(c);
+}
+static int autorun_on(console_t *c) {
+    return set_autorun(c, true);
+}
+static int autorun_off(console_t *c) {
+    return set_autorun(c, false);
+}
+
+static int status(console_t *c) {
+    char line[REALTIME_STATUS_MAX];
+    text_t t = text_start(line, sizeof line);
+    realtime_status(&c->realtime, &t);
+    say(line);
+    say("\n");
+    return 0;
+}
+
+static int help_board(console_t *c) {
+    (void)c;
+    say("home               to the limit switches, which makes the place of the pen known\n"
+        "unlock             the pen was put to its origin by hand\n"
+        "pen up|down  motors on|off\n"
+        "save  load         the present scene, kept without power; the start button draws it\n"
+        "autorun on|off     draw it when the power comes on\n"
+        "At any time, first on a line:  ? status  ! hold  ~ resume  Ctrl-X stop\n");
+    return 0;
+}
+
+static const struct {
+    const char *line;
+    int (*run)(console_t *c);
+    bool at_rest; /* refused in alarm */
+} COMMAND[] = {
+    {"home", home, false},
+    {"unlock", unlock, false},
+    {"pen up", pen_up, false},
+    {"pen down", pen_down, true},
+    {"motors on", motors_on, true},
+    {"motors off", motors_off, false},
+    {"save", save, false},
+    {"load", console_load, false},
+    {"autorun on", autorun_on, false},
+    {"autorun off", autorun_off, false},
+    {"status", status, false},
+    {"help board", help_board, false},
+};
+
+/* Equal but for blanks around and between words? */
+static bool is_line(const char *line, const char *command) {
+    while (*line == ' ' || *line == '\t') line++;
+    for (; *command; command++) {
+        if (*command == ' ') {
+            if (*line != ' ' && *line != '\t') return false;
+            while (*line == ' ' || *line == '\t') line++;
+        } else if (*line++ != *command) {
+            return false;
+        }
+    }
+    while (*line == ' ' || *line == '\t') line++;
+    return !*line;
+}
+
+bool console_command(console_t *c, const char *line, int *err) {
+    for (size_t i = 0; i < sizeof COMMAND / sizeof COMMAND[0]; i++) {
+        if (!is_line(line, COMMAND[i].line)) continue;
+        bool refused = COMMAND[i].at_rest && carriage_alarm(&c->carriage);
+        *err = refused ? ERR_MACHINE : COMMAND[i].run(c);
+        if (*err) {
+            say("error: ");
+            say(refused ? "locked: home or unlock first" : error_text(*err));
+            say("\n");
+        }
+        return true;
+    }
+    return false;
+}

@@ -1,0 +1,77 @@
+/* console_draw.c - from a plot command to the machine. Nothing moves before it is known that the drawing fits, into the
+ * memory and onto the machine. */
+#include "app/console_parts.h"
+#include "app/say.h"
+#include "error.h"
+#include "hal/hal.h"
+
+static void on_progress(void *ctx, enum picture_stage stage, int32_t done, int32_t of) {
+    console_t *c = ctx;
+    (void)stage, (void)done, (void)of;
+    realtime_poll(&c->realtime);
+}
+
+static void say_int(int64_t v) {
+    char buf[24];
+    text_t t = text_start(buf, sizeof buf);
+    text_add_int(&t, v);
+    say(buf);
+}
+
+/* A drawing may reach all of the paper but its margin. */
+static bool fits_machine(const settings_t *s) {
+    const machine_t *m = &s->machine;
+    int32_t x_um = s->paper.width_um - s->paper.margin_um, y_um = s->paper.height_um - s->paper.margin_um;
+    return (!m->width_um || x_um <= m->width_um) && (!m->height_um || y_um <= m->height_um);
+}
+
+static int too_large(const console_t *c, const plot_t *plot) {
+    say("The scene does not fit: it may need ");
+    say_int((int64_t)picture_bytes_least(plot));
+    say(" bytes of memory, ");
+    say_int((int64_t)c->picture_bytes);
+    say(" are free. Nothing was drawn.\n");
+    return ERR_FULL;
+}
+
+static int draw(console_t *c, const plot_t *plot) {
+    const picture_hooks_t hooks = {.ctx = c, .progress = on_progress};
+    void *memory = console_free_memory(c, &c->picture_bytes);
+    if (!picture_is_safe(plot, c->picture_bytes)) {
+        int err = picture_try(&c->picture, plot, memory, c->picture_bytes, &hooks);
+        if (err == ERR_FULL) return too_large(c, plot);
+        if (err) return err;
+        if (c->realtime.cancelled) return ERR_STOPPED;
+    }
+    int err = carriage_begin(&c->carriage, &plot->settings->machine);
+    if (err == ERR_MACHINE && (hal_inputs() & (HAL_IN_LIMIT_X | HAL_IN_LIMIT_Y | HAL_IN_ESTOP)))
+        say("A limit switch or the emergency stop is closed.\n");
+    if (err) return err;
+    pen_sink_t pen = carriage_pen(&c->carriage);
+    c->realtime.picture = &c->picture;
+    err = picture_draw(&c->picture, plot, memory, c->picture_bytes, &pen, &hooks);
+    if (err == ERR_FULL && c->picture.stats.path.strokes == 0) too_large(c, plot);
+    err = carriage_end(&c->carriage, err, &c->stats);
+    c->realtime.picture = NULL;
+    return err;
+}
+
+int console_draw(console_t *c, const plot_t *plot) {
+    if (carriage_alarm(&c->carriage)) {
+        say("Locked: the position is unknown. home, or put the pen to its origin and unlock.\n");
+        return ERR_MACHINE;
+    }
+    if (!fits_machine(plot->settings)) {
+        say("The paper reaches beyond the machine: set paper, or set machine size. Nothing was drawn.\n");
+        return ERR_MACHINE;
+    }
+    bool data = c->realtime.data;
+    c->realtime.data = false;
+    c->realtime.cancelled = false;
+    realtime_busy(&c->realtime, true);
+    int err = draw(c, plot);
+    realtime_busy(&c->realtime, false);
+    c->realtime.cancelled = false;
+    c->realtime.data = data;
+    return err;
+}

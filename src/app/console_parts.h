@@ -1,0 +1,23 @@
+/* console_parts.h - how the files of the console call each other. Not for other folders. */
+#ifndef CONSOLE_PARTS_H
+#define CONSOLE_PARTS_H
+
+#include "app/console.h"
+
+/* console.c: what neither the machine nor the data of the last plot use, aligned to 8. */
+void *console_free_memory(console_t *c, size_t *bytes);
+/* Carries out a line: a command of the board, or of the language. 0 or the error, which has been said. */
+int console_execute(console_t *c, const char *line);
+
+/* console_draw.c: the session's plot(). */
+int console_draw(console_t *c, const plot_t *plot);
+
+/* console_commands.c: carries out a command of the board; false when the line is none. */
+bool console_command(console_t *c, const char *line, int *err);
+/* Draws the saved scene. */
+int console_load(console_t *c);
+/* Keeps the machine's numbers and autorun if they differ from what is kept. */
+int console_keep_settings(console_t *c);
+void console_load_settings(console_t *c);
+
+#endif

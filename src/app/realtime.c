@@ -1,0 +1,152 @@
+/* realtime.c - see realtime.h. */
+#include "app/realtime.h"
+
+#include "app/line_edit.h"
+#include "app/say.h"
+#include "hal/hal.h"
+
+enum { CTRL_X = 24, XON = 17, XOFF = 19 };
+
+#define HIGH_WATER (CONFIG_TYPED * 3 / 4)
+#define LOW_WATER (CONFIG_TYPED / 4)
+
+void realtime_init(realtime_t *r, carriage_t *carriage) {
+    *r = (realtime_t){.carriage = carriage, .line_start = true};
+}
+
+static uint16_t waiting(const realtime_t *r) {
+    return (uint16_t)(r->head - r->tail);
+}
+
+static void flow(realtime_t *r) {
+    bool off = r->busy || waiting(r) > (r->off ? LOW_WATER : HIGH_WATER);
+    if (off == r->off) return;
+    r->off = off;
+    const char c = off ? XOFF : XON;
+    hal_console_write(&c, 1);
+}
+
+void realtime_busy(realtime_t *r, bool busy) {
+    r->busy = busy;
+    flow(r);
+}
+
+int realtime_read(realtime_t *r) {
+    if (r->head == r->tail) return -1;
+    int byte = r->ring[r->tail++ % CONFIG_TYPED];
+    flow(r);
+    return byte;
+}
+
+static void keep(realtime_t *r, uint8_t byte) {
+    if (waiting(r) + r->lost >= CONFIG_TYPED) {
+        r->lost = true;
+        return;
+    }
+    if (r->lost) r->ring[r->head++ % CONFIG_TYPED] = LINE_EDIT_LOST;
+    r->lost = false;
+    r->ring[r->head++ % CONFIG_TYPED] = byte;
+}
+
+/* mm with three decimals, always: a program may read it. */
+static void add_mm(text_t *t, int32_t lat) {
+    int64_t um = ((int64_t)lat * 1000 + LAT_PER_MM / 2) >> LAT_PER_MM_BITS;
+    if (um < 0) text_add(t, "-");
+    uint32_t mag = (uint32_t)(um < 0 ? -um : um), part = mag % 1000;
+    text_add_int(t, mag / 1000);
+    text_add(t, part < 10 ? ".00" : part < 100 ? ".0" : ".");
+    text_add_int(t, part);
+}
+
+static void add_progress(const realtime_t *r, text_t *t) {
+    int32_t permille = picture_permille(r->picture);
+    text_add(t, "|Done:");
+    text_add_int(t, permille / 10);
+    text_add(t, "%|Left:");
+    if (permille > 0) {
+        int64_t used = r->carriage->motion.tracer.clock_q16 >> 16; /* ticks planned so far */
+        text_add_int(t, (used * (1000 - permille) / permille + HAL_TICK_HZ - 1) / HAL_TICK_HZ);
+        text_add(t, "s");
+    } else {
+        text_add(t, "?");
+    }
+}
+
+void realtime_status(const realtime_t *r, text_t *t) {
+    static const char *const STATE[] = {[CARRIAGE_IDLE] = "Idle",
+                                        [CARRIAGE_RUN] = "Run",
+                                        [CARRIAGE_HOLD] = "Hold",
+                                        [CARRIAGE_HOME] = "Home",
+                                        [CARRIAGE_ALARM] = "Alarm"};
+    const carriage_t *c = r->carriage;
+    page_point_t at = carriage_place(c);
+    text_add(t, "<");
+    text_add(t, STATE[carriage_state(c)]);
+    text_add(t, "|MPos:");
+    add_mm(t, at.x_lat);
+    text_add(t, ",");
+    add_mm(t, at.y_lat);
+    text_add(t, carriage_pen_is_down(c) ? "|Pen:down" : "|Pen:up");
+    if (r->picture) add_progress(r, t);
+    text_add(t, ">");
+}
+
+static void answer_status(const realtime_t *r) {
+    char line[REALTIME_STATUS_MAX];
+    text_t t = text_start(line, sizeof line - 1);
+    realtime_status(r, &t);
+    t.size++; /* kept back for the line feed */
+    text_add(&t, "\n");
+    say(line);
+}
+
+static bool obey(realtime_t *r, uint8_t byte) {
+    if (byte == CTRL_X) {
+        carriage_stop(r->carriage);
+        r->tail = r->head;
+        r->lost = false;
+        r->line_start = true;
+        r->cancelled = true;
+        return true;
+    }
+    if (!r->line_start || r->data) return false;
+    if (byte == '?')
+        answer_status(r);
+    else if (byte == '!')
+        carriage_hold(r->carriage);
+    else if (byte == '~')
+        carriage_resume(r->carriage);
+    else
+        return false;
+    return true;
+}
+
+static void tell_alarm(realtime_t *r) {
+    static const char *const WHY[] = {
+        [CARRIAGE_NO_ALARM] = "",
+        [CARRIAGE_LIMIT] = "a limit switch closed",
+        [CARRIAGE_ESTOP] = "emergency stop, motors off",
+        [CARRIAGE_NO_SWITCH] = "homing found no limit switch, or one that stays closed",
+        [CARRIAGE_BROKEN_OFF] = "homing was stopped",
+    };
+    enum carriage_alarm alarm = carriage_alarm(r->carriage);
+    if (alarm == (enum carriage_alarm)r->alarm_said) return;
+    r->alarm_said = (uint8_t)alarm;
+    if (!alarm) return;
+    say("\nALARM: ");
+    say(WHY[alarm]);
+    say("; position unknown: home, or put the pen to its origin and unlock\n");
+}
+
+void realtime_poll(realtime_t *r) {
+    hal_watchdog_feed();
+    for (int c; (c = hal_console_read()) >= 0;) {
+        uint8_t byte = (uint8_t)c;
+        if (obey(r, byte)) continue;
+        keep(r, byte);
+        r->line_start = byte == '\r' || byte == '\n';
+    }
+    if (hal_console_errors()) r->lost = true;
+    flow(r);
+    tell_alarm(r);
+}

@@ -1,0 +1,281 @@
+/* console.h on the simulator: a person at the terminal. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "tests/unit/console_fixture.h"
+
+#define HEARD(text)                                                                                                    \
+    do {                                                                                                               \
+        if (!fix_heard(text)) print_message("not heard: %s\nbut:\n%s\n", text, fix.said);                              \
+        assert_true(fix_heard(text));                                                                                  \
+    } while (0)
+
+#define SMALL "set paper 60,50 margin 5;set isosamples 8,8\r"
+
+static int on(void **state) {
+    (void)state;
+    sim_store_erase();
+    fix_power_on(sizeof fix.memory);
+    return 0;
+}
+
+static void test_power_on(void **state) {
+    (void)state;
+    fix_run(SECOND);
+    HEARD("Ridgeline 0.1.0 on sim");
+    HEARD("> ");
+    assert_int_equal(fix.pins, 0);
+    assert_int_equal(fix.edges, 0);
+    assert_false(sim_watchdog_bitten());
+}
+
+static void test_editing(void **state) {
+    (void)state;
+    fix_say("prinx\b \bt 2\x7f 2+3\r", 50 * MS);
+    HEARD("\r\n5\r\n> ");
+    fix_forget();
+    fix_say("garbage words\x15print 7*6\r", 50 * MS);
+    HEARD("\r\n42\r\n> ");
+    fix_forget();
+    fix_say("\x1b[A\r", 50 * MS); /* Up */
+    HEARD("print 7*6\r\n42\r\n> ");
+    fix_forget();
+    fix_say("xyz\x10\b7\r", 50 * MS); /* what was typed gives way, and is edited */
+    HEARD("\r\n49\r\n> ");
+    fix_forget();
+    fix_say("print 1\r\nprint 2\nprint 3\r", 50 * MS); /* all ends of line */
+    HEARD("print 1\r\n1\r\n> print 2\r\n2\r\n> print 3\r\n3\r\n> ");
+    fix_forget();
+    fix_say("\x1b[Dprint\x1b[3~ 8\x1bOB\r", 50 * MS); /* other keys do nothing */
+    HEARD("\r\n8\r\n");
+    fix_forget();
+    fix_say("set title '\xc3\xa4\x7f\xc3\xb6'\rshow title\r", 50 * MS);
+    HEARD("set title '\xc3\xb6'\r\n> ");
+}
+
+static void test_errors_lose_nothing(void **state) {
+    (void)state;
+    static char line[CONFIG_LINE_MAX + 100];
+    fix_say("a = 17\r", 20 * MS);
+    memset(line, '1', sizeof line - 2);
+    line[sizeof line - 2] = '\r';
+    line[sizeof line - 1] = '\0';
+    fix_say(line, 300 * MS);
+    HEARD("error: the line is too long and was not taken");
+    fix_forget();
+    fix_say("print \x01 5\rprint a\r", 50 * MS);
+    HEARD("error: the line was damaged on its way and was not taken");
+    HEARD("\r\n17\r\n");
+    fix_forget();
+    fix_say("a b c\rprint a\r", 50 * MS); /* an error of the language */
+    HEARD("\r\n17\r\n");
+}
+
+/* Bytes that come while nobody reads: the port's queue runs over, and the line it happened to is refused. */
+static void test_overrun(void **state) {
+    (void)state;
+    for (int i = 0; i < 60; i++) fix_type("print 123456\r");
+    sim_run(SECOND); /* the main loop is busy elsewhere */
+    fix_run(SECOND);
+    fix_say("\rprint 55\r", 50 * MS);
+    HEARD("\r\n123456\r\n");
+    HEARD("error: the line was damaged");
+    HEARD("\r\n55\r\n");
+}
+
+static void test_inline_data(void **state) {
+    (void)state;
+    fix_say(SMALL "splot '-'\r0 0 1\r0 1 ?\r0 2 1\r", 50 * MS);
+    fix_say("1 0 \x02 1\r", 50 * MS); /* damaged: to be sent again */
+    HEARD("the rows before it were");
+    fix_say("1 0 1\r1 1 2\r1 2 1\r2 0 1\r2 1 1\r2 2 0\re\r", 60 * SECOND);
+    assert_true(fix.steps[0] > 1000);
+    assert_true(fix.pen_downs > 0);
+    assert_int_equal(fix.at[0], 0);
+    assert_int_equal(fix.at[1], 0);
+    assert_null(strstr(fix.said, "<Idle")); /* ? at the beginning of a row is data */
+    fix_forget();
+    fix_say("replot\rprint 5\r", 60 * SECOND);
+    assert_true(fix.steps[0] > 1000);
+    HEARD("\r\n5\r\n");
+    fix_say("save\r", SECOND);
+    HEARD("inline data cannot be saved");
+}
+
+/* Sends a long script as a terminal with XON/XOFF does; nothing is lost although drawing takes long. */
+static void test_flow_control(void **state) {
+    (void)state;
+    static char script[8000];
+    size_t n = 0, sent = 0, heard = 0;
+    bool stopped = false;
+    for (int k = 0; k < 3; k++) {
+        n += (size_t)sprintf(script + n, "set paper 40,30 margin 5\rset isosamples 4,4\rsplot x>0?y:%d\r", k);
+        for (int i = 0; i < 30; i++) n += (size_t)sprintf(script + n, "print %d\r", 1000 * k + i);
+    }
+    int stops = 0;
+    /* A byte at a time, but for 20 that are under way already when XOFF is heard. */
+    size_t slack = 0;
+    while (sent < n || heard < fix.said_len) {
+        for (; heard < fix.said_len; heard++) {
+            if (fix.said[heard] == 19) stopped = true, stops++, slack = 20;
+            if (fix.said[heard] == 17) stopped = false;
+        }
+        for (size_t k = 0; k < 16 && sent < n; k++) {
+            if (stopped && slack == 0) break;
+            if (stopped) slack--;
+            sim_console_type(sim_now(), script + sent++, 1);
+        }
+        fix_run(5 * MS);
+    }
+    fix_run(SECOND);
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 30; i++) {
+            char number[24];
+            sprintf(number, "\r\n%d\r\n", 1000 * k + i);
+            HEARD(number);
+        }
+    assert_null(strstr(fix.said, "error"));
+    printf("# script of %zu bytes with 3 drawings: stopped %d times, nothing lost\n", n, stops);
+}
+
+static void test_save_and_load(void **state) {
+    (void)state;
+    fix_say(SMALL "f(u)=sin(u)/2; k=3  # a comment\rset view 50,40\rset zrange [*:5]; unset border\rset title "
+                  "'It''s me'\rsplot f(k*x)*y\rsave\r",
+            200 * SECOND);
+    HEARD("saved\r\n");
+    uint64_t steps[2] = {fix.steps[0], fix.steps[1]};
+    assert_true(steps[0] > 1000);
+    fix_power_on(sizeof fix.memory);
+    fix_say("f(u)=7\rload\r", 200 * SECOND);
+    assert_int_equal(fix.steps[0], steps[0]);
+    assert_int_equal(fix.steps[1], steps[1]);
+    fix_say("print f(0), k\rshow view\rshow title\rshow plot\rsave\rload\r", 200 * SECOND);
+    HEARD("0.0 3\r\n");
+    HEARD("set view 50,40,1,1");
+    HEARD("set title 'It''s me'");
+    HEARD("splot f(k*x)*y");
+    assert_int_equal(fix.steps[0], 2 * steps[0]);
+}
+
+static void test_button_and_autorun(void **state) {
+    (void)state;
+    fix_say(SMALL "splot x*y\rsave\r", 100 * SECOND);
+    uint64_t steps = fix.steps[0];
+    fix_power_on(sizeof fix.memory);
+    fix_run(SECOND);
+    assert_int_equal(fix.steps[0], 0);
+    sim_inputs_set(sim_now() + 10 * MS, HAL_IN_BUTTON, HAL_IN_BUTTON); /* a bounce is no press */
+    sim_inputs_set(sim_now() + 12 * MS, HAL_IN_BUTTON, 0);
+    fix_run(SECOND);
+    assert_int_equal(fix.steps[0], 0);
+    sim_inputs_set(sim_now() + 10 * MS, HAL_IN_BUTTON, HAL_IN_BUTTON);
+    sim_inputs_set(sim_now() + 200 * MS, HAL_IN_BUTTON, 0);
+    fix_run(100 * SECOND);
+    assert_int_equal(fix.steps[0], steps);
+    fix_say("autorun on\r", SECOND);
+    fix_power_on(sizeof fix.memory);
+    fix_run(SECOND);
+    HEARD("autorun\r\n");
+    assert_int_equal(fix.steps[0], steps);
+    fix_say("autorun off\r", SECOND);
+    fix_power_on(sizeof fix.memory);
+    fix_run(SECOND);
+    assert_int_equal(fix.steps[0], 0);
+    sim_store_erase();
+    fix_say("load\r", SECOND);
+    HEARD("There is no saved scene");
+}
+
+static void test_settings_are_kept(void **state) {
+    (void)state;
+    fix_say("set machine steps 100.5,200 speed 50 invert x corexy size 300,200\rset samples 50\r", SECOND);
+    fix_power_on(sizeof fix.memory);
+    fix_say("show machine\rreset\rshow machine\rshow samples\r", SECOND);
+    const char *first = strstr(fix.said, "set machine steps 100.5,200 speed 50");
+    assert_non_null(first);
+    assert_non_null(strstr(first, "invert x noswap corexy size 300,200"));
+    assert_non_null(strstr(first + 1, "set machine steps 100.5,200 speed 50")); /* reset is about pictures */
+    HEARD("set samples 100,100");
+}
+
+static void test_too_large(void **state) {
+    (void)state;
+    fix_power_on(MOTION_BYTES_HOST + 6000);
+    fix_say("set isosamples 60,60\rsplot rand(0)\r", 10 * SECOND);
+    HEARD("The scene does not fit: it may need ");
+    HEARD("Nothing was drawn");
+    assert_int_equal(fix.edges, 0);
+    fix_say("set isosamples 10,10\rset paper 50,40 margin 5\rsplot x*y\r", 100 * SECOND);
+    assert_true(fix.steps[0] > 1000);
+}
+
+static void test_machine_size(void **state) {
+    (void)state;
+    fix_say("set machine size 200,150\rsplot x*y\r", 10 * SECOND);
+    HEARD("The paper reaches beyond the machine");
+    assert_int_equal(fix.edges, 0);
+    fix_say("set paper 200,150;set isosamples 5,5;splot x*y\r", 100 * SECOND);
+    assert_true(fix.steps[0] > 1000);
+}
+
+static void test_pen_and_motors(void **state) {
+    (void)state;
+    fix_say("pen down\r", SECOND);
+    assert_int_equal(fix.pins, HAL_PEN);
+    fix_say("  pen   up \r", SECOND);
+    assert_int_equal(fix.pins, 0);
+    fix_say("motors on\r", SECOND);
+    assert_int_equal(fix.pins, HAL_ENABLE);
+    fix_say("motors off\r", SECOND);
+    assert_int_equal(fix.pins, 0);
+    fix_say("pen = 5\rprint pen\r", SECOND); /* still a variable */
+    HEARD("\r\n5\r\n");
+    fix_say("pen sideways\r", SECOND);
+    HEARD("unknown command");
+    fix_say("help board\rhelp\r", SECOND);
+    HEARD("autorun on|off");
+    HEARD("replot");
+}
+
+static void test_pause(void **state) {
+    (void)state;
+    fix_say("pause 3 'wait'; print 11\r", 2 * SECOND);
+    uint64_t now = sim_now();
+    assert_true(now > 3 * SECOND);
+    HEARD("wait\r\n11\r\n");
+    fix_type("pause -1; print 12\r\n");
+    sim_console_type(sim_now() + 5 * SECOND, "\r", 1);
+    fix_run(SECOND);
+    assert_true(sim_now() > now + 5 * SECOND);
+    HEARD("\r\n12\r\n");
+    fix_type("pause -1; print 13\r");
+    sim_console_type(sim_now() + 5 * SECOND, "\x18", 1);
+    fix_run(SECOND);
+    assert_null(strstr(fix.said, "\r\n13\r\n"));
+    fix_say("quit\rprint 14\r", SECOND);
+    HEARD("\r\n14\r\n");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(test_power_on, on),
+        cmocka_unit_test_setup(test_editing, on),
+        cmocka_unit_test_setup(test_errors_lose_nothing, on),
+        cmocka_unit_test_setup(test_overrun, on),
+        cmocka_unit_test_setup(test_inline_data, on),
+        cmocka_unit_test_setup(test_flow_control, on),
+        cmocka_unit_test_setup(test_save_and_load, on),
+        cmocka_unit_test_setup(test_button_and_autorun, on),
+        cmocka_unit_test_setup(test_settings_are_kept, on),
+        cmocka_unit_test_setup(test_too_large, on),
+        cmocka_unit_test_setup(test_machine_size, on),
+        cmocka_unit_test_setup(test_pen_and_motors, on),
+        cmocka_unit_test_setup(test_pause, on),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
