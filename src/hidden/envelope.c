@@ -193,7 +193,8 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
         if (h->r->a == w.a) { /* a jump */
             pencil_t far = *h->r;
             if ((err = room(h)) != 0) return err;
-            above = envelope_below(p, q, far, count);
+            /* Where the edge ends at the jump it does not begin to be visible any more. */
+            above = (c.visible || w.a < q.a) && envelope_below(p, q, far, count);
             const bool floor = far.w == ENVELOPE_FLOOR;
             if (above && c.visible && floor != c.first) { /* onto the floor or off it */
                 int32_t at = envelope_fraction_at(p, q, (pencil_t){w.a, ordinate(p, q, w.a)});
