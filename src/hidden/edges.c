@@ -62,20 +62,42 @@ static bool facet_is_right(const edges_t *e, pencil_t p0, pencil_t p1) {
 static int clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
     if (e->chart.kind == CHART_VERTICAL) return take_unseen(e, 0, ONE_Q30);
     if (!e->gaps) return horizons_clip(&e->horizons, p0, p1);
-    if (!e->outline_only) return bands_clip(&e->bands, p0, p1, facet_is_right(e, p0, p1));
+    if (!e->outline_only) {
+        e->right = facet_is_right(e, p0, p1);
+        e->line = (bands_line_t){p0, p1};
+        return bands_clip(&e->bands, p0, p1, e->right);
+    }
     if (p0.a != p1.a && e->lines < BANDS_LINES) {
         e->outline[e->lines++] = p0.a < p1.a ? (bands_line_t){p0, p1} : (bands_line_t){p1, p0};
     }
     return 0;
 }
 
-int edges_init(edges_t *e, const ink_sink_t *sink, bool gaps, pencil_t *pool, size_t count) {
+/* What the cells before leave of a line, the other surfaces of this cell may hide. */
+static int take_open(void *ctx, envelope_part_t part) {
+    edges_t *e = ctx;
+    if (e->filter == NULL) return take_part(e, part);
+    e->window = part;
+    return bands_clip(e->filter, e->line.p, e->line.q, e->right);
+}
+
+static int take_filtered(void *ctx, envelope_part_t part) {
+    edges_t *e = ctx;
+    part.from_q30 = max32(part.from_q30, e->window.from_q30);
+    part.to_q30 = min32(part.to_q30, e->window.to_q30);
+    return part.from_q30 < part.to_q30 ? take_part(e, part) : 0;
+}
+
+int edges_init(edges_t *e, const ink_sink_t *sink, bool gaps, int8_t seen, pencil_t *pool, size_t count) {
     e->runs = (runs_t){.sink = sink};
-    e->clipped = 0;
     e->gaps = gaps;
-    if (gaps) return bands_init(&e->bands, e->chart.narrow, (int32_t *)(void *)pool, 2 * count, take_part, e);
-    return horizons_init(&e->horizons, e->chart.seen >= 0, e->chart.seen <= 0, e->chart.narrow, pool, count, take_part,
-                         e);
+    if (gaps) return bands_init(&e->bands, e->chart.narrow, (int32_t *)(void *)pool, 2 * count, take_open, e);
+    return horizons_init(&e->horizons, seen >= 0, seen <= 0, e->chart.narrow, pool, count, take_part, e);
+}
+
+int edges_filter(edges_t *e, bands_t *filter, int32_t *pool, size_t words) {
+    e->filter = filter;
+    return bands_init(filter, e->chart.narrow, pool, words, take_filtered, e);
 }
 
 /* A point of an edge relative to the eye. */
@@ -106,13 +128,17 @@ static int32_t steep_limit(const edges_t *e, int sector, place_t p, place_t q, b
     return in;
 }
 
-/* The part [s0, s1] of an edge, steeper than the chart allows: nothing is in front of it. It bounds what is covered
- * as the steepest line of sight would; there is none right below the eye. */
+/* The part [s0, s1] of an edge, steeper than the chart allows: nothing is in front of it unless it be another surface.
+ * It bounds what is covered as the steepest line of sight would; there is none right below the eye. */
 static int take_steep(edges_t *e, pencil_t at0, pencil_t at1, int32_t s0, int32_t s1) {
-    int err = take_unseen(e, s0, s1);
-    if (err != 0 || at0.a == CHART_NONE || at1.a == CHART_NONE) return err;
+    const bool charted = at0.a != CHART_NONE && at1.a != CHART_NONE;
+    int err = e->several && charted ? 0 : take_unseen(e, s0, s1);
+    if (err != 0 || !charted) return err;
     at0.w = at1.w = at0.w < 0 ? -PENCIL_LIMIT : PENCIL_LIMIT;
-    e->edge.quiet = true;
+    e->edge.start_q30 = s0;
+    e->edge.way_q30 = s1 - s0;
+    e->edge.g0 = e->edge.g1 = 1;
+    e->edge.quiet = !e->several;
     err = clip_line(e, at0, at1);
     e->edge.quiet = false;
     return err;

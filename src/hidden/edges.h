@@ -25,16 +25,27 @@ typedef struct edges {
     /* A surface with holes has bands instead of horizons. They want whole facets: the lines of the one at hand. */
     bool gaps;
     bands_t bands;
-    bands_line_t outline[BANDS_LINES];
+    bands_line_t *outline;
     int32_t lines;
     bool outline_only; /* the edge is only to be noted */
+    /* Several surfaces: what else covers, the line being clipped, and which part of it is open to the first cover. */
+    bool several;
+    bands_t *filter;
+    bands_line_t line;
+    bool right;
+    envelope_part_t window;
     int64_t clipped;
     runs_t runs;
     edges_edge_t edge;
 } edges_t;
 
-/* Prepares the horizons (gaps: the bands) in pool[0..count), after the chart. Returns 0 or ERR_FULL. */
-int edges_init(edges_t *e, const ink_sink_t *sink, bool gaps, pencil_t *pool, size_t count);
+/* Prepares the horizons (gaps: the bands; seen: see chart_seen) in pool[0..count), after the chart. Returns 0 or
+ * ERR_FULL. */
+int edges_init(edges_t *e, const ink_sink_t *sink, bool gaps, int8_t seen, pencil_t *pool, size_t count);
+
+/* From now on, until e->filter is NULL again, edges are also clipped against filter, which starts empty. Returns 0 or
+ * ERR_FULL. */
+int edges_filter(edges_t *e, bands_t *filter, int32_t *pool, size_t words);
 
 /* Clips the edge from (i, line) one column (INK_ROW) or one row (INK_COL, next is row line + 1) further, and adds
  * what is visible to run. Returns 0, ERR_FULL or the sink's error. */

@@ -18,6 +18,12 @@
  * Cost: linear in the facets for all surfaces we know; memory: see perimeter_bytes. */
 int perimeter_draw(grid_t *g, const camera_t *cam, const hidden_job_t *job, hidden_stats_t *stats);
 
+/* The same for n surfaces over the same points (x, y), 1 <= n <= 255; pieces carry the surface's number. Several
+ * surfaces and surfaces with holes take cells.h instead of horizons: three to ten times slower, 24 bytes for a vertex.
+ * Returns as above, or ERR_UNSUPPORTED when the grids' points differ. */
+int perimeter_draw_several(grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
+                           hidden_stats_t *stats);
+
 /* Memory for nx columns and `vertices` horizon vertices (both horizons together). 4 (nx + ny) vertices are enough
  * for smooth surfaces, 10 (nx + ny) for random ones as large as 200 x 200. */
 size_t perimeter_bytes(int32_t nx, int32_t vertices);

@@ -15,7 +15,8 @@ typedef struct run {
 
 typedef struct runs {
     const ink_sink_t *sink;
-    int64_t pieces; /* given to the sink */
+    uint8_t surface; /* what pieces are marked with */
+    int64_t pieces;  /* given to the sink */
 } runs_t;
 
 /* Closes the run and gives it to the sink. Returns 0 or the sink's error. */

@@ -27,13 +27,6 @@ static num_t y_at(const chart_t *c, int32_t j) {
     return c->grid->src->y_of(c->grid->src->ctx, j);
 }
 
-/* Heights come as multiples of 2^z_exp and are wanted as multiples of 2^-z_bits. */
-static void set_height_shifts(chart_t *c) {
-    int32_t up = c->grid->z_exp + c->z_bits;
-    c->z_up = (uint8_t)(up > 0 ? (up > 31 ? 31 : up) : 0);
-    c->z_down = (uint8_t)(up < 0 ? (up < -31 ? 31 : -up) : 0);
-}
-
 /* The eye's cell along one axis: the last index in [0, n - 2] whose coordinate is not beyond the eye. */
 static int32_t cell_of(num_t (*of)(void *ctx, int32_t k), void *ctx, int32_t n, num_t eye, int8_t *side) {
     *side = num_cmp(eye, of(ctx, 0)) < 0 ? -1 : num_cmp(eye, of(ctx, n - 1)) > 0 ? 1 : 0;
@@ -81,12 +74,11 @@ static void init_parallel(chart_t *c, const num_t x[2], const num_t y[2], const 
     most_w = num_add(num_mul(num_abs(climb), most_w), half_z);
     c->x_bits = plane_bits_below(num_mul(most_a, slack), 30);
     c->z_bits = plane_bits_below(num_mul(most_w, slack), 30);
-    num_t rise = num_sub(c->grid->z_origin, c->z_ref);
     for (int32_t i = 0; i < c->grid->nx; i++) {
         num_t dx = num_sub(x_at(c, i), c->x_ref);
         num_t climbed = num_mul(climb, num_mul(c->turn[0], dx));
         c->column[i].p = plane_fixed(num_mul(c->turn[1], dx), c->x_bits);
-        c->column[i].s = plane_fixed(num_sub(rise, climbed), c->z_bits);
+        c->column[i].s = -plane_fixed(climbed, c->z_bits);
     }
     c->turn[1] = num_mul(climb, c->turn[1]); /* what a row needs */
 }
@@ -125,7 +117,8 @@ static void init_around(chart_t *c, const num_t x[2], const num_t y[2], const nu
     c->w_shift = (int16_t)(31 - bits);
 }
 
-static int8_t side_seen(chart_t *c) {
+int8_t chart_seen(const chart_t *c, grid_t *g) {
+    if (!c->cam->perspective) return 0;
     if (c->side_x != 0 || c->side_y != 0) return 0;
     /* The eye is above or below its cell: compare with the cell's bilinear height. */
     num_t x0 = x_at(c, c->i0), x1 = x_at(c, c->i0 + 1), y0 = y_at(c, c->j0), y1 = y_at(c, c->j0 + 1);
@@ -135,14 +128,14 @@ static int8_t side_seen(chart_t *c) {
     for (int k = 0; k < 4; k++) {
         int32_t zi;
         num_t part = num_mul(k & 1 ? u : num_sub(one, u), k >> 1 ? v : num_sub(one, v));
-        if (part.m == 0 || !grid_height(c->grid, c->i0 + (k & 1), c->j0 + (k >> 1), &zi)) continue;
-        height = num_add(height, num_mul(part, num_from_fixed(zi, -c->grid->z_exp)));
+        if (part.m == 0 || !grid_height(g, c->i0 + (k & 1), c->j0 + (k >> 1), &zi)) continue;
+        height = num_add(height, num_mul(part, num_from_fixed(zi, -g->z_exp)));
         weight = num_add(weight, part);
     }
     if (weight.m == 0) {
-        height = middle(c->grid->z_min, c->grid->z_max);
+        height = middle(g->z_min, g->z_max);
     } else {
-        height = num_add(num_div(height, weight), c->grid->z_origin);
+        height = num_add(num_div(height, weight), g->z_origin);
     }
     return num_cmp(c->cam->eye[2], height) >= 0 ? 1 : -1;
 }
@@ -160,12 +153,17 @@ static num_t slope_of(const num_t u[2], const num_t v[2], num_t eye_u, num_t eye
     return num_div(num_mul(wide, num_sub(v[1], v[0])), num_mul(near, num_sub(u[1], u[0])));
 }
 
-void chart_init(chart_t *c, grid_t *g, const camera_t *cam, chart_column_t *column) {
+void chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam, chart_column_t *column) {
+    grid_t *g = grid[0];
     const surface_t *src = g->src;
     const num_t *e = cam->eye;
     *c = (chart_t){.grid = g, .cam = cam, .column = column};
     const num_t x[2] = {x_at(c, 0), x_at(c, g->nx - 1)}, y[2] = {y_at(c, 0), y_at(c, g->ny - 1)};
-    const num_t z[2] = {g->z_min, g->z_max};
+    num_t z[2] = {g->z_min, g->z_max};
+    for (int32_t k = 1; k < n; k++) {
+        if (num_cmp(grid[k]->z_min, z[0]) < 0) z[0] = grid[k]->z_min;
+        z[1] = max_num(z[1], grid[k]->z_max);
+    }
     if (!cam->perspective) {
         c->side_x = (int8_t)num_sign(e[0]);
         c->side_y = (int8_t)num_sign(e[1]);
@@ -174,12 +172,10 @@ void chart_init(chart_t *c, grid_t *g, const camera_t *cam, chart_column_t *colu
         c->kind = CHART_PARALLEL;
         c->narrow = NARROW_EVEN;
         init_parallel(c, x, y, z);
-        set_height_shifts(c);
         return;
     }
     c->i0 = cell_of(src->x_of, src->ctx, g->nx, e[0], &c->side_x);
     c->j0 = cell_of(src->y_of, src->ctx, g->ny, e[1], &c->side_y);
-    c->seen = side_seen(c);
     c->narrow = NARROW_UNEVEN;
     num_t limit = num_from_i64(MAX_SLOPE), slope_x = limit, slope_y = limit;
     if (c->side_y != 0) slope_y = slope_of(x, y, e[0], e[1]);
@@ -200,52 +196,61 @@ void chart_init(chart_t *c, grid_t *g, const camera_t *cam, chart_column_t *colu
         if (is_remote(x, e[0])) c->narrow = NARROW_EVEN;
         plane_init(&c->plane, true, y, x, z, (num_t[3]){e[1], e[0], e[2]});
         c->z_bits = c->plane.z_bits;
-        int32_t rise = plane_z(&c->plane, g->z_origin);
         for (int32_t i = 0; i < g->nx; i++) {
             int32_t p = plane_u_of_v(&c->plane, x_at(c, i));
             column[i].p = c->sign > 0 ? p : -p;
-            column[i].s = rise + plane_z_of_v(&c->plane, x_at(c, i));
+            column[i].s = plane_z_of_v(&c->plane, x_at(c, i));
             column[i].r = plane_reciprocal(&c->plane, x_at(c, i));
         }
     } else {
         c->kind = CHART_AROUND;
         init_around(c, x, y, z);
     }
-    set_height_shifts(c);
 }
 
-/* A height of the grid in the scale of w's numerator, plus s. Heights count from any point of the surface, so the first
- * term may need 33 bits; the sum fits, and unsigned arithmetic gets it right. */
-static inline int32_t raised(const chart_t *c, int32_t zi, int32_t s) {
-    return (int32_t)(((uint32_t)(zi >> c->z_down) << c->z_up) + (uint32_t)s);
+/* How the heights of one grid become numerators of w: multiples of 2^z_exp become multiples of 2^-z_bits. */
+typedef struct rise {
+    uint8_t down, up; /* (zi >> down) << up */
+    int32_t origin;   /* what zi counts from */
+} rise_t;
+
+static rise_t rise_of(const chart_t *c, const grid_t *g, num_t z_ref) {
+    const int32_t up = g->z_exp + c->z_bits;
+    return (rise_t){.down = (uint8_t)(up < 0 ? (up < -31 ? 31 : -up) : 0),
+                    .up = (uint8_t)(up > 0 ? (up > 31 ? 31 : up) : 0),
+                    .origin = plane_fixed(num_sub(g->z_origin, z_ref), c->z_bits)};
 }
 
-static void row_parallel(const chart_t *c, num_t y, chart_line_t *line) {
+/* A height, plus s. Heights count from any point of the surface, so a term may need 33 bits; the sum fits, and unsigned
+ * arithmetic gets it right. */
+static inline int32_t raised(const rise_t *r, int32_t zi, int32_t s) {
+    return (int32_t)(((uint32_t)(zi >> r->down) << r->up) + (uint32_t)r->origin + (uint32_t)s);
+}
+
+static void row_parallel(const chart_t *c, const rise_t *rise, num_t y, chart_line_t *line) {
     num_t dy = num_sub(y, c->y_ref);
     int32_t q = -plane_fixed(num_mul(c->turn[0], dy), c->x_bits), t = -plane_fixed(num_mul(c->turn[1], dy), c->z_bits);
     for (int32_t i = 0; i < c->grid->nx; i++) {
-        line->at[i] = (pencil_t){c->column[i].p + q, raised(c, line->at[i].w, c->column[i].s + t)};
+        line->at[i] = (pencil_t){c->column[i].p + q, raised(rise, line->at[i].w, c->column[i].s + t)};
     }
 }
 
-static void row_north(const chart_t *c, num_t y, chart_line_t *line) {
-    int32_t q = plane_u_of_v(&c->plane, y), nx = c->grid->nx;
-    if (c->sign > 0) q = -q;
-    const int32_t s = plane_z(&c->plane, c->grid->z_origin) + plane_z_of_v(&c->plane, y);
+static void row_north(const chart_t *c, const rise_t *rise, num_t y, chart_line_t *line) {
+    const int32_t nx = c->grid->nx, s = plane_z_of_v(&c->plane, y);
+    const int32_t q = c->sign > 0 ? -plane_u_of_v(&c->plane, y) : plane_u_of_v(&c->plane, y);
     const uint32_t r = plane_reciprocal(&c->plane, y);
     const chart_column_t *column = c->column;
     line->r = r;
     for (int32_t i = 0; i < nx; i++) {
-        line->at[i] = (pencil_t){plane_project(column[i].p + q, r), plane_project(raised(c, line->at[i].w, s), r)};
+        line->at[i] = (pencil_t){plane_project(column[i].p + q, r), plane_project(raised(rise, line->at[i].w, s), r)};
     }
 }
 
-static void row_east(const chart_t *c, num_t y, chart_line_t *line) {
-    int32_t q = plane_u(&c->plane, y);
-    if (c->sign < 0) q = -q;
+static void row_east(const chart_t *c, const rise_t *rise, num_t y, chart_line_t *line) {
+    const int32_t q = c->sign < 0 ? -plane_u(&c->plane, y) : plane_u(&c->plane, y);
     for (int32_t i = 0; i < c->grid->nx; i++) {
         const chart_column_t *k = &c->column[i];
-        line->at[i] = (pencil_t){plane_project(k->p + q, k->r), plane_project(raised(c, line->at[i].w, k->s), k->r)};
+        line->at[i] = (pencil_t){plane_project(k->p + q, k->r), plane_project(raised(rise, line->at[i].w, k->s), k->r)};
     }
 }
 
@@ -276,15 +281,14 @@ int chart_sector(int32_t dx, int32_t dy) {
     return ax > ay ? (dx > 0 ? 1 : 3) : (dy > 0 ? 2 : 0);
 }
 
-static void row_around(const chart_t *c, num_t y, chart_line_t *line) {
-    int32_t dy = plane_fixed(num_sub(y, c->y_ref), c->y_bits),
-            s = plane_fixed(num_sub(c->grid->z_origin, c->z_ref), c->z_bits);
+static void row_around(const chart_t *c, const rise_t *rise, num_t y, chart_line_t *line) {
+    const int32_t dy = plane_fixed(num_sub(y, c->y_ref), c->y_bits);
     int32_t ay = dy < 0 ? -dy : dy, b = 0;
     uint32_t r = ay == 0 ? 0 : reciprocal((uint32_t)ay, &b);
     line->dy = dy;
     for (int32_t i = 0; i < c->grid->nx; i++) {
         const chart_column_t *k = &c->column[i];
-        int32_t dx = k->p, dz = raised(c, line->at[i].w, s);
+        int32_t dx = k->p, dz = raised(rise, line->at[i].w, 0);
         int sector = chart_sector(dx, dy);
         line->z[i] = dz;
         bool shown = false;
@@ -298,29 +302,31 @@ static void row_around(const chart_t *c, num_t y, chart_line_t *line) {
     }
 }
 
-void chart_row(chart_t *c, int32_t j, chart_line_t *line) {
-    num_t y = y_at(c, j);
-    int32_t nx = c->grid->nx;
+void chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line) {
+    const num_t y = y_at(c, j);
+    const int32_t nx = c->grid->nx;
+    const bool plane = c->kind == CHART_NORTH || c->kind == CHART_EAST;
+    const rise_t rise = rise_of(c, g, plane ? c->plane.z_ref : c->z_ref);
     line->j = j;
     /* The heights come packed into the upper end of the row's points and are spread out from the front. */
     int32_t *zi = (int32_t *)(void *)line->at + nx;
-    grid_row(c->grid, j, zi, line->hole);
+    grid_row(g, j, zi, line->hole);
     for (int32_t i = 0; i < nx; i++) line->at[i].w = zi[i];
     switch (c->kind) {
     case CHART_PARALLEL:
-        row_parallel(c, y, line);
+        row_parallel(c, &rise, y, line);
         break;
     case CHART_VERTICAL:
         memset(line->at, 0, (size_t)nx * sizeof line->at[0]);
         break;
     case CHART_NORTH:
-        row_north(c, y, line);
+        row_north(c, &rise, y, line);
         break;
     case CHART_EAST:
-        row_east(c, y, line);
+        row_east(c, &rise, y, line);
         break;
     case CHART_AROUND:
-        row_around(c, y, line);
+        row_around(c, &rise, y, line);
         break;
     }
 }

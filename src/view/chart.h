@@ -40,13 +40,11 @@ typedef struct chart_column {
 
 typedef struct chart {
     enum chart_kind kind; /* CHART_VERTICAL: a parallel view straight down or up, nothing hides anything */
-    grid_t *grid;
+    grid_t *grid;         /* the first one: coordinates are common to all */
     const camera_t *cam;
     int32_t i0, j0;            /* the eye's cell, clamped to the grid */
     int8_t side_x, side_y;     /* -1, 1: the eye is before the first, beyond the last column (row); 0: neither */
-    int8_t seen;               /* 1: only upper sides can be seen, -1: only lower ones, 0: both */
     int8_t sign;               /* of dy (CHART_NORTH) or dx (CHART_EAST) */
-    uint8_t z_down, z_up;      /* heights become (zi >> z_down) << z_up */
     int32_t narrow;            /* what is less apart in a is less than a sixteenth of a step apart on A4 */
     plane_t plane;             /* CHART_NORTH: u is x, v is y; CHART_EAST: u is y, v is x */
     num_t x_ref, y_ref, z_ref; /* CHART_PARALLEL: the middle; CHART_AROUND: the eye */
@@ -65,11 +63,16 @@ typedef struct chart_line {
     uint32_t r;    /* CHART_NORTH: reciprocal of the row's distance */
 } chart_line_t;
 
-/* Chooses the chart for a grid and a view. column: nx constants, must outlive c, as must grid and cam. */
-void chart_init(chart_t *c, grid_t *g, const camera_t *cam, chart_column_t *column);
+/* Chooses the chart for n grids over the same points (x, y), and a view. column: nx constants, must outlive c, as must
+ * grids and cam. */
+void chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam, chart_column_t *column);
 
-/* Fills in row j of the grid: line->at, and line->z, line->hole if they are not NULL. */
-void chart_row(chart_t *c, int32_t j, chart_line_t *line);
+/* Which sides of a grid can be seen: 1 only upper ones (the eye is above it, over its rectangle), -1 only lower ones, 0
+ * both. May ask the grid for four heights. */
+int8_t chart_seen(const chart_t *c, grid_t *g);
+
+/* Fills in row j of grid g: line->at, and line->z, line->hole if they are not NULL. */
+void chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line);
 
 /* CHART_AROUND: the sector of a direction in plan, 0 south, 1 east, 2 north, 3 west (diagonals: north or south). */
 int chart_sector(int32_t dx, int32_t dy);

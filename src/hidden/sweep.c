@@ -1,0 +1,167 @@
+/* sweep.c - memory and order of a sweep. */
+#include "hidden/sweep.h"
+
+#include "error.h"
+
+/* Per column and layer: an open run, two rows of points; in CHART_AROUND two rows of heights; with gaps six flags. */
+#define LAYER_BYTES (sizeof(run_t) + 2 * sizeof(pencil_t))
+#define AROUND_BYTES (2 * sizeof(int32_t))
+#define FLAGS 6
+
+/* Words for the facets of one cell: each cuts it at no more abscissae than it has lines' ends. */
+#define LOCAL_WORDS(n) ((n) > 1 ? (size_t)2 * BANDS_LINES * (size_t)(3 + 4 * (n)) : 0)
+
+typedef struct lender {
+    uint8_t *mem;
+    size_t left;
+} lender_t;
+
+static void *lend(lender_t *l, size_t bytes) {
+    const size_t whole = (bytes + 7) / 8 * 8;
+    void *at = l->mem;
+    if (l->mem == NULL || l->left < whole) {
+        l->mem = NULL;
+        return NULL;
+    }
+    l->mem += whole;
+    l->left -= whole;
+    return at;
+}
+
+size_t sweep_bytes(int32_t nx, int32_t layers, bool gaps) {
+    const size_t column = LAYER_BYTES + AROUND_BYTES + (gaps ? FLAGS : 0), rounding = 8 * (5 + FLAGS);
+    return (size_t)layers * (sizeof(layer_t) + (size_t)nx * column + rounding) + (size_t)nx * sizeof(chart_column_t) +
+           16 + LOCAL_WORDS(layers) * sizeof(int32_t);
+}
+
+static void lay_out(layer_t *l, lender_t *from, size_t nx, bool around, bool gaps) {
+    l->column_run = lend(from, nx * sizeof(run_t));
+    for (int k = 0; k < 2; k++) {
+        l->line[k].at = lend(from, nx * sizeof(pencil_t));
+        if (around) l->line[k].z = lend(from, nx * sizeof(int32_t));
+        if (gaps) {
+            l->line[k].hole = lend(from, nx);
+            l->row_done[k] = lend(from, nx);
+        }
+    }
+    if (gaps) {
+        l->column_done = lend(from, nx);
+        l->kept_done = lend(from, nx);
+    }
+}
+
+int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job, bool gaps) {
+    const size_t nx = (size_t)grid[0]->nx;
+    lender_t from = {job->mem, job->bytes};
+    edges_t *e = &s->edges;
+    s->layers = n;
+    s->layer = lend(&from, (size_t)n * sizeof(layer_t));
+    chart_column_t *column = lend(&from, nx * sizeof(chart_column_t));
+    if (column == NULL) return ERR_FULL;
+    chart_init(&e->chart, grid, n, cam, column);
+    for (int32_t m = 0; m < n; m++) {
+        layer_t *l = &s->layer[m];
+        *l = (layer_t){.grid = grid[m], .surface = (uint8_t)m};
+        lay_out(l, &from, nx, e->chart.kind == CHART_AROUND, gaps);
+        if (from.mem == NULL) return ERR_FULL;
+        for (size_t i = 0; i < nx; i++) l->column_run[i] = (run_t){0, 0};
+        l->seen = chart_seen(&e->chart, grid[m]);
+    }
+    s->local_words = LOCAL_WORDS(n);
+    s->local_pool = lend(&from, s->local_words * sizeof(int32_t));
+    if (from.mem == NULL) return ERR_FULL;
+    s->fixed = job->bytes - from.left;
+    e->several = n > 1;
+    return edges_init(e, job->sink, gaps, s->layer[0].seen, (pencil_t *)(void *)from.mem, from.left / sizeof(pencil_t));
+}
+
+static void fill(uint8_t *flag, const uint8_t *from, int32_t n) {
+    for (int32_t i = 0; i < n; i++) flag[i] = from != NULL ? from[i] : 0;
+}
+
+/* Charts row j into line[k] of every layer; none of its edges is done. */
+static void load_lines(sweep_t *s, int k, int32_t j) {
+    for (int32_t m = 0; m < s->layers; m++) {
+        layer_t *l = &s->layer[m];
+        chart_row(&s->edges.chart, l->grid, j, &l->line[k]);
+        if (s->edges.gaps) fill(l->row_done[k], NULL, l->grid->nx);
+    }
+}
+
+/* The row of facets that is next: the line nearer to the eye stays, the other one is read. */
+static void step(sweep_t *s, int far, int32_t j) {
+    for (int32_t m = 0; m < s->layers; m++) {
+        layer_t *l = &s->layer[m];
+        const chart_line_t stays = l->line[far];
+        uint8_t *done = l->row_done[far];
+        l->line[far] = l->line[1 - far];
+        l->line[1 - far] = stays;
+        l->row_done[far] = l->row_done[1 - far];
+        l->row_done[1 - far] = done;
+    }
+    load_lines(s, far, far ? j + 1 : j);
+}
+
+/* The eye's lower line is needed once more, on the way down: what of it is done must be known then. */
+static void keep_done(sweep_t *s, bool restore) {
+    for (int32_t m = 0; m < s->layers && s->edges.gaps; m++) {
+        layer_t *l = &s->layer[m];
+        fill(restore ? l->row_done[0] : l->kept_done, restore ? l->kept_done : l->row_done[0], l->grid->nx);
+    }
+}
+
+static int flush_rows(sweep_t *s) {
+    int err = 0;
+    for (int32_t m = 0; m < s->layers; m++) {
+        layer_t *l = &s->layer[m];
+        s->edges.runs.surface = l->surface;
+        for (int k = 0; k < 2 && err == 0; k++) {
+            err = runs_flush(&s->edges.runs, &l->row_run[k], INK_ROW, l->line[k].j);
+        }
+    }
+    return err;
+}
+
+static int flush_columns(sweep_t *s) {
+    int err = 0;
+    for (int32_t m = 0; m < s->layers; m++) {
+        s->edges.runs.surface = s->layer[m].surface;
+        for (int32_t i = 0; i < s->layer[m].grid->nx && err == 0; i++) {
+            err = runs_flush(&s->edges.runs, &s->layer[m].column_run[i], INK_COL, i);
+        }
+    }
+    return err;
+}
+
+int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row) {
+    const chart_t *c = &s->edges.chart;
+    const int32_t rows = c->grid->ny - 1;
+    int32_t done = 0;
+    int err = 0;
+    for (int up = 1; up >= (c->j0 > 0 ? 0 : 1) && err == 0; up--) {
+        load_lines(s, 0, c->j0);
+        if (up) load_lines(s, 1, c->j0 + 1);
+        if (!up) keep_done(s, true);
+        for (int32_t j = up ? c->j0 : c->j0 - 1; j >= 0 && j < rows && err == 0; j += up ? 1 : -1) {
+            if (j != c->j0) step(s, up, j);
+            err = row(s, up, j == c->j0);
+            if (err == 0) err = flush_rows(s);
+            if (j == c->j0) keep_done(s, false);
+            if (err == 0 && job->tick != NULL) job->tick(job->tick_ctx, ++done, rows);
+        }
+    }
+    return err != 0 ? err : flush_columns(s);
+}
+
+void sweep_account(const sweep_t *s, hidden_stats_t *stats) {
+    const horizons_t *h = &s->edges.horizons;
+    stats->facets = s->facets;
+    stats->edges = s->edges.clipped;
+    stats->tests = h->count.tests + s->edges.bands.count.tests;
+    stats->crossings = h->count.crossings + s->edges.bands.count.crossings;
+    stats->pieces = s->edges.runs.pieces;
+    stats->peak_upper = h->has_upper ? h->upper.peak : 0;
+    stats->peak_lower = h->has_lower ? h->lower.peak : 0;
+    stats->bytes = s->fixed + (size_t)(stats->peak_upper + stats->peak_lower) * sizeof(pencil_t) +
+                   (size_t)s->edges.bands.peak * sizeof(int32_t);
+}
