@@ -130,7 +130,9 @@ static size_t kernel_bytes(const plot_t *plot) {
     if (plot->kind == PLOT_MESH || s->hidden == HIDDEN_HORIZON) return horizon_bytes(8 * s->samples[0]);
     if (s->hidden == HIDDEN_NONE) return 0;
     const surface_t *f = &plot->item[0].surface;
-    return perimeter_bytes(f->nx, 10 * (f->nx + f->ny));
+    /* Several surfaces take a cover with gaps, at three times the memory for a vertex. */
+    const int32_t vertices = (plot->n > 1 ? 30 : 10) * (f->nx + f->ny);
+    return (size_t)plot->n * perimeter_bytes(f->nx, vertices);
 }
 
 bool picture_is_safe(const plot_t *plot, size_t bytes) {

@@ -85,7 +85,6 @@ static int draw_plain(picture_t *p, bool isolines) {
 int picture_surfaces(picture_t *p, const pen_sink_t *pen) {
     const plot_t *plot = p->plot;
     const bool isolines = plot->settings->hidden == HIDDEN_NONE;
-    if (!isolines && plot->n > 1) return ERR_UNSUPPORTED;
     int64_t points = 0;
     int32_t growing = 0;
     int err = 0;
@@ -111,12 +110,14 @@ int picture_surfaces(picture_t *p, const pen_sink_t *pen) {
     if (!err) err = picture_open(p, pen, growing, 4 * points);
     if (err) return err;
 
-    if (isolines || is_vertical(&p->camera, lo, hi)) {
+    if (isolines || (p->spaces == 1 && is_vertical(&p->camera, lo, hi))) {
         err = draw_plain(p, isolines);
         for (int32_t k = 0; k < p->spaces; k++) p->stats.facets += (int64_t)(p->grid[k].nx - 1) * (p->grid[k].ny - 1);
     } else {
         const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p};
-        err = perimeter_draw(&p->grid[0], &p->camera, &job, &p->stats.hidden);
+        grid_t *grid[PICTURE_LINES_MAX];
+        for (int32_t k = 0; k < p->spaces; k++) grid[k] = &p->grid[k];
+        err = perimeter_draw_several(grid, p->spaces, &p->camera, &job, &p->stats.hidden);
         p->stats.facets = p->stats.hidden.facets;
         p->stats.kernel_bytes = p->stats.hidden.bytes;
     }
