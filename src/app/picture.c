@@ -9,7 +9,7 @@
 
 #define SMALL_ARENA ((size_t)256 * 1024)
 
-void picture_progress(picture_t *p, enum picture_stage stage, int32_t done, int32_t of) {
+void picture_tell(picture_t *p, enum picture_stage stage, int32_t done, int32_t of) {
     p->stage = stage;
     p->stage_done = done;
     p->stage_of = of;
@@ -86,12 +86,12 @@ int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t r
     for (int32_t k = 0; k < p->spaces; k++) inside = inside && p->lines[k].all_inside;
     p->cut = (cut_t){p->lines, p->trial ? (ink_sink_t){NULL, drop_ink} : path_sink(&p->path)};
     p->sink = inside ? p->cut.next : cut_sink(&p->cut);
-    picture_progress(p, PICTURE_HIDE, 0, 1);
+    picture_tell(p, PICTURE_HIDE, 0, 1);
     return 0;
 }
 
 int picture_close(picture_t *p) {
-    picture_progress(p, PICTURE_DRAW, 0, 1);
+    picture_tell(p, PICTURE_DRAW, 0, 1);
     if (p->trial) return 0;
     int err = path_finish(&p->path, &p->stats.path);
     p->stats.path_bytes = p->stats.path.bytes;
@@ -100,7 +100,7 @@ int picture_close(picture_t *p) {
 
 static int run(picture_t *p, const pen_sink_t *pen) {
     const plot_t *plot = p->plot;
-    picture_progress(p, PICTURE_MEASURE, 0, 1);
+    picture_tell(p, PICTURE_MEASURE, 0, 1);
     int err;
     if (plot->kind == PLOT_CURVES)
         err = picture_curves(p, pen);
@@ -108,7 +108,7 @@ static int run(picture_t *p, const pen_sink_t *pen) {
         err = picture_profiles(p, pen);
     else
         err = picture_surfaces(p, pen);
-    picture_progress(p, PICTURE_DONE, 1, 1);
+    picture_tell(p, PICTURE_DONE, 1, 1);
     return err;
 }
 
@@ -146,14 +146,18 @@ size_t picture_bytes_least(const plot_t *plot) {
     return bytes + 2 * PATH_BYTES_MIN;
 }
 
-int32_t picture_permille(const picture_t *p) {
-    int64_t runs = p->path.stats.runs, left = p->path.pool.n;
-    if (p->stage == PICTURE_DONE) return 1000;
-    if (p->stage == PICTURE_MEASURE || runs == 0) return 0;
-    if (p->path.drawing) left -= left * p->path.drawn / p->path.drawing;
-    int64_t permille = 1000 * (runs - left) / runs;
-    if (p->stage == PICTURE_HIDE && p->stage_of) permille = permille * p->stage_done / p->stage_of;
-    return (int32_t)permille;
+picture_progress_t picture_progress(const picture_t *p) {
+    const path_t *path = &p->path;
+    picture_progress_t g = {.vertices_drawn = path->stats.vertices, .strokes_drawn = path->stats.strokes};
+    int64_t left = path->drawing ? path->drawing - path->drawn : path->pool.n;
+    g.vertices = path->vertices;
+    g.strokes = g.strokes_drawn + left;
+    if (p->stage == PICTURE_HIDE && p->stage_done > 0) {
+        g.vertices = g.vertices * p->stage_of / p->stage_done;
+        g.strokes = g.strokes * p->stage_of / p->stage_done;
+    }
+    if (g.vertices < g.vertices_drawn) g.vertices = g.vertices_drawn;
+    return g;
 }
 
 size_t picture_bytes(const plot_t *plot) {

@@ -86,9 +86,12 @@ int picture_try(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const
 bool picture_is_safe(const plot_t *plot, size_t bytes);
 /* A block that is large enough also for random surfaces (up to 200 x 200), with nothing cached. */
 size_t picture_bytes_least(const plot_t *plot);
-/* How much of the drawing is done (in 1/1000), reckoned in runs of ink. While picture_draw works, from its hooks or pen
- * sink. */
-int32_t picture_permille(const picture_t *p);
+/* How much is drawn and how much there will be, as far as it can be told: exact once all is hidden. For picture_draw's
+ * hooks and pen sink. */
+typedef struct picture_progress {
+    int64_t vertices_drawn, vertices, strokes_drawn, strokes;
+} picture_progress_t;
+picture_progress_t picture_progress(const picture_t *p);
 /* A block large enough for most scenes of this size with everything cached; ERR_FULL asks for more all the same. */
 size_t picture_bytes(const plot_t *plot);
 

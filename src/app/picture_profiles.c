@@ -6,7 +6,7 @@
 #include "scene/bilinear.h"
 
 static void hide_tick(void *ctx, int32_t done, int32_t of) {
-    picture_progress(ctx, PICTURE_HIDE, done, of);
+    picture_tell(ctx, PICTURE_HIDE, done, of);
 }
 
 /* A height of the function or between the data, undefined beyond `set zrange`. */

@@ -17,7 +17,7 @@ int picture_camera(picture_t *p, const num_t lo[3], const num_t hi[3]);
 int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t runs);
 /* Draws what the pool still holds. */
 int picture_close(picture_t *p);
-void picture_progress(picture_t *p, enum picture_stage stage, int32_t done, int32_t of);
+void picture_tell(picture_t *p, enum picture_stage stage, int32_t done, int32_t of);
 /* The kernel's share of the arena: half of a small one, a quarter of a large one. */
 void *picture_kernel_memory(picture_t *p, size_t *bytes);
 

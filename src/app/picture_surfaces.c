@@ -6,11 +6,11 @@
 #include "hidden/plain.h"
 
 static void measure_tick(void *ctx, int32_t done, int32_t of) {
-    picture_progress(ctx, PICTURE_MEASURE, done, of);
+    picture_tell(ctx, PICTURE_MEASURE, done, of);
 }
 
 static void hide_tick(void *ctx, int32_t done, int32_t of) {
-    picture_progress(ctx, PICTURE_HIDE, done, of);
+    picture_tell(ctx, PICTURE_HIDE, done, of);
 }
 
 static int64_t points_of(const surface_t *s) {

@@ -9,6 +9,7 @@ enum { CTRL_X = 24, XON = 17, XOFF = 19 };
 
 #define HIGH_WATER (CONFIG_TYPED * 3 / 4)
 #define LOW_WATER (CONFIG_TYPED / 4)
+#define SHORT_WAY_US 100000 /* with the pen up, from a stroke to the next */
 
 void realtime_init(realtime_t *r, carriage_t *carriage) {
     *r = (realtime_t){.carriage = carriage, .line_start = true};
@@ -58,17 +59,30 @@ static void add_mm(text_t *t, int32_t lat) {
     text_add_int(t, part);
 }
 
+/* The time still to come: strokes not yet drawn cost what the pen and a short way take, and vertices what they have
+ * cost so far, in ticks. Negative: cannot be told. */
+static int64_t ticks_left(const realtime_t *r, int64_t used) {
+    const machine_t *m = &r->carriage->machine;
+    const picture_progress_t g = picture_progress(r->picture);
+    const int64_t lift = (int64_t)(m->lift_us + m->lower_us + SHORT_WAY_US) * (HAL_TICK_HZ / 1000000);
+    if (g.vertices_drawn == 0) return -1;
+    int64_t drawing = used - g.strokes_drawn * lift;
+    if (drawing < 0) drawing = 0;
+    int64_t per_vertex = drawing / g.vertices_drawn;
+    return (g.vertices - g.vertices_drawn) * per_vertex + (g.strokes - g.strokes_drawn) * lift;
+}
+
 static void add_progress(const realtime_t *r, text_t *t) {
-    int32_t permille = picture_permille(r->picture);
+    int64_t used = r->carriage->motion.tracer.clock_q16 >> 16; /* planned so far */
+    int64_t left = ticks_left(r, used);
     text_add(t, "|Done:");
-    text_add_int(t, permille / 10);
+    text_add_int(t, left < 0 || used + left == 0 ? 0 : used * 100 / (used + left));
     text_add(t, "%|Left:");
-    if (permille > 0) {
-        int64_t used = r->carriage->motion.tracer.clock_q16 >> 16; /* ticks planned so far */
-        text_add_int(t, (used * (1000 - permille) / permille + HAL_TICK_HZ - 1) / HAL_TICK_HZ);
-        text_add(t, "s");
-    } else {
+    if (left < 0) {
         text_add(t, "?");
+    } else {
+        text_add_int(t, (left + HAL_TICK_HZ - 1) / HAL_TICK_HZ);
+        text_add(t, "s");
     }
 }
 

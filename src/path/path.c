@@ -106,6 +106,7 @@ static int take_run(void *ctx, const ink_piece_t *run) {
         p->stats.flushes++;
     }
     p->pool.run[p->pool.n++] = run_pack(run);
+    p->vertices += (run->to_q30 - run->from_q30) / INK_ONE + 2;
     p->stats.runs++;
     return 0;
 }

@@ -55,6 +55,7 @@ typedef struct path {
     page_point_t at, arrival_at; /* where the pen is, and would be without ordering */
     int32_t kept;                /* runs in the pool that have been through a flush */
     int32_t drawing, drawn;      /* while strokes of the pool are drawn: how many there are, and which */
+    int64_t vertices;            /* of all runs taken so far; stats.vertices counts them as they are drawn */
     path_stats_t stats;
 } path_t;
 

@@ -3,6 +3,7 @@
 #ifndef CONSOLE_FIXTURE_H
 #define CONSOLE_FIXTURE_H
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +20,9 @@ static struct {
     uint64_t memory[1 << 16];
     console_config_t config;
     char said[1 << 18];
-    size_t said_len;
+    size_t said_len; /* without flow control, which is here: */
+    bool off;
+    int offs;
     uint64_t steps[2], pen_downs, edges, last_step;
     int32_t at[2];
     uint32_t pins;
@@ -28,8 +31,14 @@ static struct {
 static inline void fix_listen(void *ctx, const char *text, size_t bytes) {
     (void)ctx;
     if (bytes > sizeof fix.said - 1 - fix.said_len) return;
-    memcpy(fix.said + fix.said_len, text, bytes);
-    fix.said_len += bytes;
+    for (size_t i = 0; i < bytes; i++) {
+        if (text[i] == 17 || text[i] == 19) {
+            fix.off = text[i] == 19;
+            fix.offs += fix.off;
+        } else {
+            fix.said[fix.said_len++] = text[i];
+        }
+    }
     fix.said[fix.said_len] = '\0';
 }
 
@@ -67,10 +76,12 @@ static inline void fix_power_on(size_t bytes) {
     console_begin(&fix.console, &fix.config);
 }
 
-/* Lets the board work until nothing is typed, moves or is said any more, or for so long. */
+/* Lets the board work for so long, and on until it has come to an end of what it then does. */
 static inline void fix_run(uint64_t ticks) {
     uint64_t until = sim_now() + ticks;
     while (sim_now() < until) console_step(&fix.console);
+    while (fix.console.realtime.head != fix.console.realtime.tail) console_step(&fix.console);
+    console_step(&fix.console);
 }
 
 static inline void fix_type(const char *text) {
@@ -80,7 +91,7 @@ static inline void fix_type(const char *text) {
 /* Types, and lets the board work on for a while. */
 static inline void fix_say(const char *text, uint64_t ticks) {
     fix_type(text);
-    fix_run((uint64_t)strlen(text) * SIM_BYTE_TICKS + ticks);
+    fix_run((uint64_t)strlen(text) * SIM_BYTE_TICKS + 2 * MS + ticks);
 }
 
 static inline int fix_heard(const char *text) {
