@@ -42,7 +42,7 @@ static int cannot(const char *name, int status) {
 /* Commands from a file or from stdin, to the end or the first error. */
 static int run_scene(const options_t *o, FILE *scene, const char *name) {
     static job_t job;
-    char base[64];
+    static char base[64]; /* job.name points to it */
     configure(&job, o);
     job.name = base_name(name, base, sizeof base);
     if (o->stats) {
