@@ -9,20 +9,20 @@
 #ifndef GRID_H
 #define GRID_H
 
-#include <stddef.h>
 #include "scene/surface.h"
+#include <stddef.h>
 
 typedef struct grid {
     const surface_t *src;
     int32_t nx, ny;
-    num_t z_min, z_max;   /* measured range of the defined points that are inside the limits */
-    num_t z_origin;       /* the first defined point, counting along rows from (0, 0) */
-    int16_t z_exp;        /* see above */
-    bool has_lo, has_hi;  /* is there a `set zrange` limit */
+    num_t z_min, z_max;  /* measured range of the defined points that are inside the limits */
+    num_t z_origin;      /* the first defined point, counting along rows from (0, 0) */
+    int16_t z_exp;       /* see above */
+    bool has_lo, has_hi; /* is there a `set zrange` limit */
     num_t z_lo, z_hi;
-    int64_t holes;        /* undefined points */
-    int64_t evaluated;    /* points evaluated so far: the cost of a small memory shows here */
-    int32_t *cache;       /* nx * ny heights or NULL; GRID_HOLE marks a hole inside the cache only */
+    int64_t holes;     /* undefined points */
+    int64_t evaluated; /* points evaluated so far: the cost of a small memory shows here */
+    int32_t *cache;    /* nx * ny heights or NULL; GRID_HOLE marks a hole inside the cache only */
 } grid_t;
 
 /* Measures src. cache may be NULL or hold nx * ny entries, and must outlive g. lo, hi: limits or NULL.

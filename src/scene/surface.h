@@ -10,9 +10,9 @@
 #include "num/num.h"
 
 typedef struct surface {
-    int32_t nx; /* columns, >= 2 */
-    int32_t ny; /* rows, >= 2 */
-    void *ctx;  /* the source's own */
+    int32_t nx;                                     /* columns, >= 2 */
+    int32_t ny;                                     /* rows, >= 2 */
+    void *ctx;                                      /* the source's own */
     num_t (*x_of)(void *ctx, int32_t i);            /* 0 <= i < nx, always defined */
     num_t (*y_of)(void *ctx, int32_t j);            /* 0 <= j < ny, always defined */
     num_t (*z_of)(void *ctx, int32_t i, int32_t j); /* undefined at a hole */
