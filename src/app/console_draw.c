@@ -34,16 +34,24 @@ static int too_large(const console_t *c, const plot_t *plot) {
     return ERR_FULL;
 }
 
-static int draw(console_t *c, const plot_t *plot) {
-    const picture_hooks_t hooks = {.ctx = c, .progress = on_progress};
-    void *memory = console_free_memory(c, &c->picture_bytes);
-    if (!picture_is_safe(plot, c->picture_bytes)) {
-        int err = picture_try(&c->picture, plot, memory, c->picture_bytes, &hooks);
-        if (err == ERR_FULL) return too_large(c, plot);
-        if (err) return err;
+/* The first division of the memory that the scene gets through with. */
+static int find_share(console_t *c, const plot_t *plot, void *memory, picture_hooks_t *hooks) {
+    if (picture_is_safe(plot, c->picture_bytes)) return 0;
+    for (int share = 0; share < PICTURE_SHARES; share++) {
+        hooks->share = (enum picture_share)share;
+        int err = picture_try(&c->picture, plot, memory, c->picture_bytes, hooks);
         if (c->realtime.cancelled) return ERR_STOPPED;
+        if (err != ERR_FULL) return err;
     }
-    int err = carriage_begin(&c->carriage, &plot->settings->machine);
+    return too_large(c, plot);
+}
+
+static int draw(console_t *c, const plot_t *plot) {
+    picture_hooks_t hooks = {.ctx = c, .progress = on_progress};
+    void *memory = console_free_memory(c, &c->picture_bytes);
+    int err = find_share(c, plot, memory, &hooks);
+    if (err) return err;
+    err = carriage_begin(&c->carriage, &plot->settings->machine);
     if (err == ERR_MACHINE && (hal_inputs() & (HAL_IN_LIMIT_X | HAL_IN_LIMIT_Y | HAL_IN_ESTOP)))
         say("A limit switch or the emergency stop is closed.\n");
     if (err) return err;

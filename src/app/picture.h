@@ -31,8 +31,18 @@ enum picture_stage {
     PICTURE_DONE,
 };
 
+/* How the memory is divided between hiding and ordering. Hiding needs what the scene asks for; ordering draws
+ * everything with any amount, but with more lifts and ways the less it has. */
+enum picture_share {
+    PICTURE_SHARE_USUAL,  /* half, or a quarter of a large block, to hiding */
+    PICTURE_SHARE_SMOOTH, /* hiding gets as much as most smooth surfaces need, if that is more */
+    PICTURE_SHARE_HIDING, /* ordering gets the least */
+    PICTURE_SHARES,
+};
+
 typedef struct picture_hooks {
     void *ctx;
+    enum picture_share share;
     /* Called at the start of each stage with done == 0, and now and then with how much of it is done; may be NULL. */
     void (*progress)(void *ctx, enum picture_stage stage, int32_t done, int32_t of);
     /* Called when the view is known, before the first stroke; may be NULL. */
@@ -58,18 +68,26 @@ typedef struct picture {
     path_t path;
     ink_map_t map_ink; /* for path: lines[] by number */
     cut_t cut;
-    ink_sink_t sink; /* where kernels put their ink: cut, or path directly */
-    grid_t grid[PICTURE_LINES_MAX];
-    page_map_t map[PICTURE_LINES_MAX];
+    ink_sink_t sink;                       /* where kernels put their ink: cut, or path directly */
     line_space_t lines[PICTURE_LINES_MAX]; /* by the number of the surface in a piece */
     int32_t spaces;                        /* of them in use */
-    profiles_t profiles;
-    profiles_sampled_t sampled;
-    profiles_mesh_t mesh;
-    profiles_cache_t profiles_cache;
-    profile_map_t profile_map;
-    flat_axes_t axes;
-    flat_curve_t curve[CONFIG_PLOT_ITEMS];
+    union {                                /* by the kind of scene */
+        struct {
+            grid_t grid[PICTURE_LINES_MAX];
+            page_map_t map[PICTURE_LINES_MAX];
+        };
+        struct {
+            profiles_t profiles;
+            profiles_sampled_t sampled;
+            profiles_mesh_t mesh;
+            profiles_cache_t profiles_cache;
+            profile_map_t profile_map;
+        };
+        struct {
+            flat_axes_t axes;
+            flat_curve_t curve[CONFIG_PLOT_ITEMS];
+        };
+    };
     picture_stats_t stats;
 } picture_t;
 
@@ -82,7 +100,8 @@ int picture_draw(picture_t *p, const plot_t *plot, void *mem, size_t bytes, cons
 /* The same work up to the ordering of ink, without drawing: whether picture_draw would get through with this memory.
  * Returns as it does. */
 int picture_try(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const picture_hooks_t *hooks);
-/* Can plot run out of memory only before its first stroke? Otherwise picture_try tells whether it will. */
+/* Is this memory, in its usual division, enough for all but freakish scenes of this size? Otherwise picture_try tells.
+ */
 bool picture_is_safe(const plot_t *plot, size_t bytes);
 /* A block that is large enough also for random surfaces (up to 200 x 200), with nothing cached. */
 size_t picture_bytes_least(const plot_t *plot);

@@ -208,6 +208,19 @@ static void test_too_large(void **state) {
     assert_true(fix.steps[0] > 1000);
 }
 
+/* A small chip's memory: the picture takes it as the scene needs it. */
+static void test_small_memory(void **state) {
+    (void)state;
+    fix_power_on(MOTION_BYTES_HOST + 6200);
+    fix_say("set isosamples 60,60;set xrange [-2:2];set yrange [-2:2]\rsplot exp(-x**2-y**2)\r", SECOND);
+    assert_null(strstr(fix.said, "does not fit"));
+    assert_true(fix.steps[0] > 10000);
+    assert_int_equal(fix.console.stats.starved, 0);
+    printf("# 60 x 60 smooth surface in 6200 bytes: hiding took %zu, %lld strokes, pool full %lld times\n",
+           fix.console.picture.stats.kernel_bytes, (long long)fix.console.picture.stats.path.strokes,
+           (long long)fix.console.picture.stats.path.flushes);
+}
+
 static void test_machine_size(void **state) {
     (void)state;
     fix_say("set machine size 200,150\rsplot x*y\r", 10 * SECOND);
@@ -267,6 +280,7 @@ int main(void) {
         cmocka_unit_test_setup(test_button_and_autorun, on),
         cmocka_unit_test_setup(test_settings_are_kept, on),
         cmocka_unit_test_setup(test_too_large, on),
+        cmocka_unit_test_setup(test_small_memory, on),
         cmocka_unit_test_setup(test_machine_size, on),
         cmocka_unit_test_setup(test_pen_and_motors, on),
         cmocka_unit_test_setup(test_pause, on),
