@@ -135,8 +135,9 @@ static void test_random(void **state) {
     assert_int_equal(failed, 0);
 }
 
-/* Two methods agree where both apply: the rows of a grid, seen from before its first row, are profiles. What the
- * horizon kernel draws of them is what the perimeter kernel draws. */
+/* Two methods agree where both apply: in a parallel view along the columns the rows of a grid are profiles, and the
+ * columns between them hide nothing that the rows do not. What the horizon kernel draws of them is what the perimeter
+ * kernel draws. */
 static void test_agrees_with_perimeter(void **state) {
     (void)state;
     cases_t c = {.name = "rows as profiles"};
@@ -149,8 +150,7 @@ static void test_agrees_with_perimeter(void **state) {
         const double away[2] = {0, 1};
         scene_init(&s, 2 + scene_below(&rng, 20), 2 + scene_below(&rng, 20));
         scene_shape(&s, (enum scene_shape)scene_below(&rng, SHAPES), &rng);
-        s.ref.eye = scene_below(&rng, 2) ? (exact_eye_t){0, -1, span(&rng, -.5, 1), 0}
-                                         : (exact_eye_t){span(&rng, -2, 2), span(&rng, -9, -3), span(&rng, -2, 5), 1};
+        s.ref.eye = (exact_eye_t){0, -1, span(&rng, -.5, 1), 0};
         scene_aim(&s);
         for (int j = 0; j < s.ref.ny; j++) {
             first[j] = j * s.ref.nx;
