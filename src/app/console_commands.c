@@ -2,7 +2,7 @@
  *
  *     home, unlock, pen up|down, motors on|off        the machine
  *     save, load, autorun on|off                      the saved scene
- *     status, help board */
+ *     status, memory, help board */
 #include <string.h>
 
 #include "app/console_parts.h"
@@ -150,6 +150,41 @@ static int status(console_t *c) {
     return 0;
 }
 
+static void tell(const char *what, int64_t used, int64_t of) {
+    char line[80];
+    text_t t = text_start(line, sizeof line);
+    text_add(&t, what);
+    text_add(&t, " ");
+    text_add_int(&t, used);
+    if (of) {
+        text_add(&t, " of ");
+        text_add_int(&t, of);
+    }
+    text_add(&t, "\n");
+    say(line);
+}
+
+/* High-water marks in bytes, those of the picture from the last drawing, and how the machine was fed. */
+static int memory(console_t *c) {
+    const picture_stats_t *p = &c->picture.stats;
+    const lang_t *l = &c->session.lang;
+    const data_pool_t *pool = &c->session.pool;
+    size_t pool_used = pool->low + c->session.pool_size - pool->high;
+    tell("console", sizeof *c, 0);
+    tell("machine's queue", c->stats.memory_bytes, (int64_t)c->carriage.bytes);
+    tell("data", (int64_t)(pool_used * sizeof *pool->base), (int64_t)(c->session.pool_size * sizeof *pool->base));
+    tell("picture: hiding", (int64_t)p->kernel_bytes, (int64_t)c->picture_bytes);
+    tell("picture: ordering", (int64_t)p->path_bytes, (int64_t)c->picture_bytes);
+    tell("picture: tables", (int64_t)(p->cache_bytes + p->map_bytes), (int64_t)c->picture_bytes);
+    tell("names", l->symbols, CONFIG_SYMBOLS);
+    tell("names' text", l->bodies_end + CONFIG_POOL - l->names_start, CONFIG_POOL);
+    tell("definitions", c->keep.len, CONFIG_JOURNAL);
+    tell("typed ahead", c->realtime.most, CONFIG_TYPED);
+    tell("machine waited for the drawing:", c->stats.starved, 0);
+    tell("late deadlines:", c->stats.late, 0);
+    return 0;
+}
+
 static int help_board(console_t *c) {
     (void)c;
     say("home               to the limit switches, which makes the place of the pen known\n"
@@ -157,6 +192,7 @@ static int help_board(console_t *c) {
         "pen up|down  motors on|off\n"
         "save  load         the present scene, kept without power; the start button draws it\n"
         "autorun on|off     draw it when the power comes on\n"
+        "status  memory     as ?; how much of each memory was used\n"
         "At any time, first on a line:  ? status  ! hold  ~ resume  Ctrl-X stop\n");
     return 0;
 }
@@ -177,6 +213,7 @@ static const struct {
     {"autorun on", autorun_on, false},
     {"autorun off", autorun_off, false},
     {"status", status, false},
+    {"memory", memory, false},
     {"help board", help_board, false},
 };
 

@@ -21,13 +21,15 @@ static size_t kernel_part(size_t arena_bytes) {
 }
 
 /* What hiding needs with so many vertices of horizons for each line of the grid or point of a profile; 0: nothing that
- * depends on the scene. */
-static size_t hiding_bytes(const plot_t *plot, int32_t each) {
+ * depends on the scene. Holes, which are not known beforehand, or several surfaces take three times as much a vertex.
+ */
+static size_t hiding_bytes(const plot_t *plot, int32_t each, bool holes) {
     const settings_t *s = plot->settings;
     if (plot->kind == PLOT_CURVES || s->hidden == HIDDEN_NONE) return 0;
     if (plot->kind == PLOT_MESH || s->hidden == HIDDEN_HORIZON) return horizon_bytes(each * s->samples[0]);
     const surface_t *f = &plot->item[0].surface;
-    return perimeter_bytes(f->nx, each * (f->nx + f->ny));
+    size_t one = perimeter_bytes(f->nx, each * (f->nx + f->ny) * (holes || plot->n > 1 ? 3 : 1));
+    return one * (size_t)plot->n;
 }
 
 /* 3 for smooth surfaces (measured: 2.2), 10 for random ones (5.6 at 60 x 60, 7.7 at 250 x 250). */
@@ -39,7 +41,7 @@ void *picture_kernel_memory(picture_t *p, size_t *bytes) {
     *bytes = left / kernel_part(p->arena.bytes);
     if (share != PICTURE_SHARE_USUAL && left > 2 * least) {
         size_t most = left - least;
-        size_t want = share == PICTURE_SHARE_SMOOTH ? hiding_bytes(p->plot, EACH_SMOOTH) : most;
+        size_t want = share == PICTURE_SHARE_SMOOTH ? hiding_bytes(p->plot, EACH_SMOOTH, false) : most;
         if (want > most) want = most;
         if (want > *bytes) *bytes = want;
     }
@@ -145,11 +147,11 @@ int picture_try(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const
 }
 
 bool picture_is_safe(const plot_t *plot, size_t bytes) {
-    return hiding_bytes(plot, EACH_ROUGH) <= bytes / kernel_part(bytes);
+    return hiding_bytes(plot, EACH_ROUGH, true) <= bytes / kernel_part(bytes);
 }
 
 size_t picture_bytes_least(const plot_t *plot) {
-    return hiding_bytes(plot, EACH_ROUGH) + 2 * PATH_BYTES_MIN;
+    return hiding_bytes(plot, EACH_ROUGH, false) + 2 * PATH_BYTES_MIN;
 }
 
 picture_progress_t picture_progress(const picture_t *p) {

@@ -47,6 +47,7 @@ static void keep(realtime_t *r, uint8_t byte) {
     if (r->lost) r->ring[r->head++ % CONFIG_TYPED] = LINE_EDIT_LOST;
     r->lost = false;
     r->ring[r->head++ % CONFIG_TYPED] = byte;
+    if (waiting(r) > r->most) r->most = waiting(r);
 }
 
 /* mm with three decimals, always: a program may read it. */

@@ -34,6 +34,7 @@ typedef struct realtime {
     bool busy, off;           /* something long is under way; the other side was told to stop */
     bool cancelled;           /* Ctrl-X came: the console forgets its line and clears this */
     uint8_t alarm_said;       /* enum carriage_alarm */
+    uint16_t most;            /* bytes that ever waited in the ring */
     uint8_t ring[CONFIG_TYPED];
 } realtime_t;
 
