@@ -15,13 +15,6 @@ typedef struct band {
 
 _Static_assert(sizeof(band_t) == 4 * sizeof(int32_t), "a band is four words of a strip");
 
-static inline int32_t max32(int32_t a, int32_t b) {
-    return a > b ? a : b;
-}
-static inline int32_t min32(int32_t a, int32_t b) {
-    return a < b ? a : b;
-}
-
 /* The strip at r: */
 static inline int32_t bands_of(const int32_t *r) {
     return r[1];
@@ -115,8 +108,9 @@ static bool beyond(bands_t *b, const clip_t *c, pencil_t v, pencil_t w, bool rig
 static bool hidden_by(bands_t *b, const clip_t *c, const int32_t *r, int32_t k, int32_t *from, int32_t *to) {
     const int32_t s0 = r[0], s1 = end_of(r);
     band_t v = band_at(r, k);
-    int32_t high = max32(c->p.w, c->q.w), low = min32(c->p.w, c->q.w);
-    if (low > max32(v.hi0, v.hi1) + ENVELOPE_NOISE || high < min32(v.lo0, v.lo1) - ENVELOPE_NOISE) return false;
+    int32_t high = pencil_max(c->p.w, c->q.w), low = pencil_min(c->p.w, c->q.w);
+    if (low > pencil_max(v.hi0, v.hi1) + ENVELOPE_NOISE || high < pencil_min(v.lo0, v.lo1) - ENVELOPE_NOISE)
+        return false;
     pencil_t h0 = {s0, v.hi0}, h1 = {s1, v.hi1}, l0 = {s0, v.lo0}, l1 = {s1, v.lo1};
     bool above0 = beyond(b, c, h0, h1, false, 1), above1 = beyond(b, c, h0, h1, true, 1);
     if (above0 && above1) return false;
@@ -154,7 +148,7 @@ static int clip_strip(bands_t *b, clip_t *c, const int32_t *r) {
             int err = visible_to(b, c, from);
             if (err != 0) return err;
         }
-        c->seen_q30 = max32(c->seen_q30, to);
+        c->seen_q30 = pencil_max(c->seen_q30, to);
     }
     return 0;
 }
@@ -166,7 +160,7 @@ static bool climb(bands_t *b, int32_t x, int32_t *w, int32_t *next) {
     for (int32_t k = 0; k < bands_of(b->r); k++) {
         band_t v = band_between(b->r, k, x, x);
         if (v.lo0 - ENVELOPE_NOISE > *w) {
-            *next = min32(*next, v.lo0);
+            *next = pencil_min(*next, v.lo0);
         } else if (v.hi0 > *w) {
             *w = v.hi0;
             return true;
@@ -177,9 +171,9 @@ static bool climb(bands_t *b, int32_t x, int32_t *w, int32_t *next) {
 
 /* A vertical edge: hidden where the strip a unit to its left or right hides it. */
 static int clip_vertical(bands_t *b, pencil_t p0, pencil_t p1, bool right) {
-    const int32_t low = min32(p0.w, p1.w), high = max32(p0.w, p1.w);
+    const int32_t low = pencil_min(p0.w, p1.w), high = pencil_max(p0.w, p1.w);
     const uint32_t height = (uint32_t)(high - low);
-    const int32_t x = right ? max32(p0.a, p1.a) + 1 : min32(p0.a, p1.a) - 1;
+    const int32_t x = right ? pencil_max(p0.a, p1.a) + 1 : pencil_min(p0.a, p1.a) - 1;
     int32_t w = low;
     while (w < high) {
         int32_t next = high;
@@ -205,13 +199,27 @@ int bands_clip(bands_t *b, pencil_t p0, pencil_t p1, bool right) {
     }
     if (envelope_vertical(p0, p1, b->narrow)) return clip_vertical(b, p0, p1, right);
     if (p0.a == p1.a) return 0; /* a point, all but */
-    c.units = max32(c.q.a - c.p.a, c.q.w < c.p.w ? c.p.w - c.q.w : c.q.w - c.p.w);
+    c.units = pencil_max(c.q.a - c.p.a, c.q.w < c.p.w ? c.p.w - c.q.w : c.q.w - c.p.w);
     seek(b, c.p.a);
     for (const int32_t *r = b->r; r[0] < c.q.a; r += WORDS(bands_of(r))) {
         int err = clip_strip(b, &c, r);
         if (err != 0) return err;
     }
     return c.seen_q30 < ONE_Q30 ? visible_to(b, &c, ONE_Q30) : 0;
+}
+
+bool bands_hide(bands_t *b, int32_t a0, int32_t a1, int32_t low, int32_t high) {
+    seek(b, a0);
+    for (const int32_t *r = b->r; r[0] <= a1; r += WORDS(bands_of(r))) {
+        int32_t k = bands_of(r) - 1;
+        while (k >= 0) {
+            const band_t v = band_at(r, k);
+            if (pencil_max(v.lo0, v.lo1) <= low && pencil_min(v.hi0, v.hi1) >= high) break;
+            k--;
+        }
+        if (k < 0) return false;
+    }
+    return true;
 }
 
 /* --- adding --- */
@@ -359,7 +367,7 @@ static int add_trapezoid(bands_t *b, int32_t x0, int32_t x1, band_t t) {
     seek(b, x0);
     int err = copy_part(b, b->r[0], x0);
     for (int32_t x = x0; x < x1 && err == 0;) {
-        const int32_t stop = min32(end_of(b->r), x1), whole = end_of(b->r);
+        const int32_t stop = pencil_min(end_of(b->r), x1), whole = end_of(b->r);
         band_t part = {ordinate(x0, t.lo0, x1, t.lo1, x), ordinate(x0, t.lo0, x1, t.lo1, stop),
                        ordinate(x0, t.hi0, x1, t.hi1, x), ordinate(x0, t.hi0, x1, t.hi1, stop)};
         err = unite_cut(b, x, stop, part);
@@ -367,7 +375,7 @@ static int add_trapezoid(bands_t *b, int32_t x0, int32_t x1, band_t t) {
         b->r += WORDS(bands_of(b->r));
         x = stop;
     }
-    b->peak = max32(b->peak, (int32_t)((b->l - b->base) + (b->end - b->r)));
+    b->peak = pencil_max(b->peak, (int32_t)((b->l - b->base) + (b->end - b->r)));
     return err;
 }
 
@@ -393,16 +401,17 @@ int bands_add(bands_t *b, const bands_line_t *line, int32_t n, int below) {
                 t = (band_t){v0, v1, v0, v1};
                 first = &line[k];
             } else {
-                t = (band_t){min32(t.lo0, v0), min32(t.lo1, v1), max32(t.hi0, v0), max32(t.hi1, v1)};
+                t = (band_t){pencil_min(t.lo0, v0), pencil_min(t.lo1, v1), pencil_max(t.hi0, v0),
+                             pencil_max(t.hi1, v1)};
                 int32_t f0 = line_at(first, x0), f1 = line_at(first, x1);
                 int32_t x = crossing_before(x0, x1, f0, f1, v0, v1);
                 if (found == 2 && x < x1) { /* a twisted facet: two triangles */
                     int32_t w;
                     meet(x0, x1, x, (const int32_t[2]){f0, f1}, (const int32_t[2]){v0, v1}, &w);
-                    int err = add_trapezoid(b, x0, x, (band_t){min32(f0, v0), w, max32(f0, v0), w});
+                    int err = add_trapezoid(b, x0, x, (band_t){pencil_min(f0, v0), w, pencil_max(f0, v0), w});
                     if (err != 0) return err;
                     x0 = x;
-                    t = (band_t){w, min32(f1, v1), w, max32(f1, v1)};
+                    t = (band_t){w, pencil_min(f1, v1), w, pencil_max(f1, v1)};
                 }
             }
         }

@@ -40,6 +40,9 @@ int bands_init(bands_t *b, int32_t narrow, int32_t *pool, size_t words, envelope
  * which counts. Returns 0 or take's error. */
 int bands_clip(bands_t *b, pencil_t p0, pencil_t p1, bool right);
 
+/* Is all that lies within [a0, a1] x [low, high] covered, by one band in each strip? (Rather no than wrongly yes.) */
+bool bands_hide(bands_t *b, int32_t a0, int32_t a1, int32_t low, int32_t high);
+
 /* Adds the region between `n` lines, n <= BANDS_LINES: over each abscissa from the lowest to the highest of the lines
  * there; where there is only one, from it down to the floor (below > 0), up to the ceiling (below < 0), or nothing (0).
  * Returns 0, or ERR_FULL, and the cover is then useless. */

@@ -50,6 +50,25 @@ static int clip_edges(sweep_t *s, layer_t *l, int32_t i, near_edges_t near, bool
     return err;
 }
 
+/* Is a layer's facet behind what the cells before it cover? Then its edges are done, and it covers nothing new. */
+static bool is_hidden(sweep_t *s, layer_t *l, int32_t i) {
+    const bands_line_t *o = l->outline;
+    if (l->lines == 0) return false;
+    pencil_t least = o->p, most = o->q;
+    for (int32_t k = 0; k < l->lines; k++, o++) {
+        const int32_t low = pencil_min(o->p.w, o->q.w), high = pencil_max(o->p.w, o->q.w);
+        least = (pencil_t){pencil_min(least.a, o->p.a), k == 0 ? low : pencil_min(least.w, low)};
+        most = (pencil_t){pencil_max(most.a, o->q.a), k == 0 ? high : pencil_max(most.w, high)};
+    }
+    if (!bands_hide(&s->edges.bands, least.a, most.a, least.w, most.w)) return false;
+    uint8_t *done[4] = {&l->column_done[i], &l->column_done[i + 1], &l->row_done[0][i], &l->row_done[1][i]};
+    for (int k = 0; k < 4; k++) {
+        s->edges.clipped += !*done[k];
+        *done[k] = 1;
+    }
+    return true;
+}
+
 /* Clips a layer's edges against the cells before, and against the other layers' facets in this one. */
 static int clip_among_others(sweep_t *s, int32_t m, int32_t i, near_edges_t near) {
     edges_t *e = &s->edges;
@@ -77,6 +96,7 @@ static int cell(sweep_t *s, int32_t i, near_edges_t near) {
         if (!l->present) continue;
         present++;
         err = outline(s, l, i);
+        if (err == 0 && is_hidden(s, l, i)) l->present = false;
     }
     for (int32_t m = 0; m < s->layers && err == 0; m++) {
         if (s->layer[m].present) err = clip_edges(s, &s->layer[m], i, near, true);

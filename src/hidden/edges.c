@@ -8,12 +8,6 @@
 
 #define ONE_Q30 (INT32_C(1) << 30)
 
-static inline int32_t max32(int32_t a, int32_t b) {
-    return a > b ? a : b;
-}
-static inline int32_t min32(int32_t a, int32_t b) {
-    return a < b ? a : b;
-}
 static inline uint32_t size32(int32_t v) {
     return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
 }
@@ -50,7 +44,7 @@ static int take_unseen(edges_t *e, int32_t s0, int32_t s1) {
 
 /* Is the facet at hand to the right of a vertical line? Then one of its sides begins there. */
 static bool facet_is_right(const edges_t *e, pencil_t p0, pencil_t p1) {
-    const int32_t lo = min32(p0.a, p1.a) - 1, hi = max32(p0.a, p1.a) + 1;
+    const int32_t lo = pencil_min(p0.a, p1.a) - 1, hi = pencil_max(p0.a, p1.a) + 1;
     for (int32_t k = 0; k < e->lines; k++) {
         const bands_line_t *s = &e->outline[k];
         if (s->p.a >= lo && s->p.a <= hi && s->q.a > hi) return true;
@@ -83,8 +77,8 @@ static int take_open(void *ctx, envelope_part_t part) {
 
 static int take_filtered(void *ctx, envelope_part_t part) {
     edges_t *e = ctx;
-    part.from_q30 = max32(part.from_q30, e->window.from_q30);
-    part.to_q30 = min32(part.to_q30, e->window.to_q30);
+    part.from_q30 = pencil_max(part.from_q30, e->window.from_q30);
+    part.to_q30 = pencil_min(part.to_q30, e->window.to_q30);
     return part.from_q30 < part.to_q30 ? take_part(e, part) : 0;
 }
 
@@ -236,7 +230,7 @@ int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run) {
             return clip_around(e, (place_t){c[i].p, line->dy, line->z[i]},
                                (place_t){c[i + 1].p, line->dy, line->z[i + 1]});
         }
-        if (chart_sector_at(min32(p0.a, p1.a)) & 1) {
+        if (chart_sector_at(pencil_min(p0.a, p1.a)) & 1) {
             e->edge.g0 = size32(c[i + 1].p);
             e->edge.g1 = size32(c[i].p);
         }
@@ -257,7 +251,7 @@ int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next,
         if (!edges_in_one_sector(p0, p1)) {
             return clip_around(e, (place_t){c[i].p, line->dy, line->z[i]}, (place_t){c[i].p, next->dy, next->z[i]});
         }
-        if (!(chart_sector_at(min32(p0.a, p1.a)) & 1)) {
+        if (!(chart_sector_at(pencil_min(p0.a, p1.a)) & 1)) {
             e->edge.g0 = size32(next->dy);
             e->edge.g1 = size32(line->dy);
         }

@@ -17,13 +17,6 @@ _Static_assert(2 * (31 + 31) + 2 <= 2 * 63, "an orientation is the difference of
 /* Room for the vertices that one step of a clip may add: foot, start, end, and the far side of a jump. */
 #define STEP_ROOM 4
 
-static inline int32_t abs32(int32_t v) {
-    return v < 0 ? -v : v;
-}
-static inline int32_t max32(int32_t a, int32_t b) {
-    return a > b ? a : b;
-}
-
 int envelope_init(envelope_t *upper, envelope_t *lower, pencil_t *pool, size_t count) {
     envelope_t *both[2] = {upper, lower};
     size_t each = lower == NULL ? count : count / 2;
@@ -95,7 +88,7 @@ static inline int32_t along(int32_t x, int32_t d, int32_t t_q30) {
 static int32_t ordinate(pencil_t p, pencil_t q, int32_t a) {
     if (a == p.a) return p.w;
     if (a == q.a) return q.w;
-    uint32_t rise = (uint32_t)abs32(q.w - p.w), run = (uint32_t)(q.a - p.a);
+    uint32_t rise = (uint32_t)pencil_abs(q.w - p.w), run = (uint32_t)(q.a - p.a);
     int32_t part = (int32_t)(((uint64_t)rise * (uint32_t)(a - p.a) + run / 2) / run);
     return q.w < p.w ? p.w - part : p.w + part;
 }
@@ -104,8 +97,8 @@ static int32_t ordinate(pencil_t p, pencil_t q, int32_t a) {
 int32_t envelope_fraction_at(pencil_t p, pencil_t q, pencil_t x) {
     int32_t run = q.a - p.a, rise = q.w - p.w;
     int32_t whole = run, part = x.a - p.a;
-    if (abs32(rise) > run) {
-        whole = abs32(rise);
+    if (pencil_abs(rise) > run) {
+        whole = pencil_abs(rise);
         part = rise < 0 ? p.w - x.w : x.w - p.w;
     }
     if (part <= 0) return 0;
@@ -224,7 +217,7 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
             break;
         }
     }
-    if (c.any) h->peak = max32(h->peak, envelope_size(h));
+    if (c.any) h->peak = pencil_max(h->peak, envelope_size(h));
     return c.any;
 }
 
@@ -232,8 +225,8 @@ int32_t envelope_height(envelope_t *h, int32_t a_lo, int32_t a_hi) {
     envelope_seek(h, a_lo - 1);
     int32_t top = ordinate(h->l[-1], *h->r, a_lo);
     const pencil_t *p = h->r;
-    for (; p->a <= a_hi; p++) top = max32(top, p->w);
+    for (; p->a <= a_hi; p++) top = pencil_max(top, p->w);
     const pencil_t *before = p == h->r ? h->l - 1 : p - 1;
-    if (before->a < a_hi) top = max32(top, ordinate(*before, *p, a_hi));
+    if (before->a < a_hi) top = pencil_max(top, ordinate(*before, *p, a_hi));
     return top;
 }

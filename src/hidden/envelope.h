@@ -78,13 +78,12 @@ static inline int64_t envelope_orient(pencil_t o, pencil_t p, pencil_t q) {
 
 /* Signed area beyond which a point is off the line p-q by more than noise. */
 static inline int64_t envelope_noise(pencil_t p, pencil_t q) {
-    int32_t run = q.a - p.a, rise = q.w < p.w ? p.w - q.w : q.w - p.w;
-    return (int64_t)(run > rise ? run : rise) * ENVELOPE_NOISE;
+    return (int64_t)pencil_max(q.a - p.a, pencil_abs(q.w - p.w)) * ENVELOPE_NOISE;
 }
 
 /* Is x, p.a <= x.a <= q.a, below (above) the line p-q by more than noise? */
 static inline bool envelope_below(pencil_t p, pencil_t q, pencil_t x, envelope_count_t *count) {
-    int32_t lo = p.w < q.w ? p.w : q.w, hi = p.w < q.w ? q.w : p.w;
+    int32_t lo = pencil_min(p.w, q.w), hi = pencil_max(p.w, q.w);
     if (x.w >= hi) return false;
     if (x.w + ENVELOPE_NOISE < lo) return true;
     count->tests++;
@@ -92,7 +91,7 @@ static inline bool envelope_below(pencil_t p, pencil_t q, pencil_t x, envelope_c
 }
 
 static inline bool envelope_above(pencil_t p, pencil_t q, pencil_t x, envelope_count_t *count) {
-    int32_t lo = p.w < q.w ? p.w : q.w, hi = p.w < q.w ? q.w : p.w;
+    int32_t lo = pencil_min(p.w, q.w), hi = pencil_max(p.w, q.w);
     if (x.w <= lo) return false;
     if (x.w - ENVELOPE_NOISE > hi) return true;
     count->tests++;
@@ -102,7 +101,7 @@ static inline bool envelope_above(pencil_t p, pencil_t q, pencil_t x, envelope_c
 /* Is the line p-q vertical, but for rounding: steep, and no wider than `narrow` (chart.h)? Across such a line a unit of
  * a is worth many of w, so where it is visible cannot be told from crossings: it must be clipped at its abscissa. */
 static inline bool envelope_vertical(pencil_t p, pencil_t q, int32_t narrow) {
-    int32_t run = q.a < p.a ? p.a - q.a : q.a - p.a, rise = q.w < p.w ? p.w - q.w : q.w - p.w;
+    const int32_t run = pencil_abs(q.a - p.a), rise = pencil_abs(q.w - p.w);
     return run <= narrow && rise >> 6 >= run;
 }
 

@@ -3,13 +3,6 @@
 
 #define ONE_Q30 (INT32_C(1) << 30)
 
-static inline int32_t max32(int32_t a, int32_t b) {
-    return a > b ? a : b;
-}
-static inline int32_t min32(int32_t a, int32_t b) {
-    return a < b ? a : b;
-}
-
 int horizons_init(horizons_t *h, bool upper, bool lower, int32_t narrow, pencil_t *pool, size_t count,
                   envelope_take_t take, void *ctx) {
     *h = (horizons_t){.has_upper = upper, .has_lower = lower, .narrow = narrow, .take = take, .ctx = ctx};
@@ -41,7 +34,7 @@ static int take_lower(void *ctx, envelope_part_t part) {
 /* A vertical line covers an interval of w at one abscissa. The horizons' heights there, and a unit to either side for
  * rounding, say what is visible. */
 static int clip_vertical(horizons_t *h, pencil_t l, pencil_t r) {
-    int32_t lo = min32(l.w, r.w), hi = max32(l.w, r.w), height = hi - lo;
+    int32_t lo = pencil_min(l.w, r.w), hi = pencil_max(l.w, r.w), height = hi - lo;
     int32_t top = h->has_upper ? envelope_height(&h->upper, l.a - 1, r.a + 1) : ENVELOPE_LIMIT;
     int32_t bottom = h->has_lower ? -envelope_height(&h->lower, l.a - 1, r.a + 1) : -ENVELOPE_LIMIT;
     int32_t from = 0, to = ONE_Q30;

@@ -35,9 +35,8 @@ static enum facet_kind judge_corner(sweep_t *s, const corner_t *q) {
     horizons_t *h = &s->edges.horizons;
     if (s->last == FACET_ABOVE && advance_upper(s, q)) return FACET_ABOVE;
     if (s->last == FACET_BELOW && advance_lower(s, q)) return FACET_BELOW;
-    int32_t top = q->l.w > q->r.w ? q->l.w : q->r.w, bottom = q->l.w < q->r.w ? q->l.w : q->r.w;
-    if (q->f.w > top) top = q->f.w;
-    if (q->f.w < bottom) bottom = q->f.w;
+    const int32_t top = pencil_max(q->f.w, pencil_max(q->l.w, q->r.w));
+    const int32_t bottom = pencil_min(q->f.w, pencil_min(q->l.w, q->r.w));
     h->skip_upper = h->has_upper && envelope_hides(&h->upper, q->l.a, q->r.a, top);
     h->skip_lower = h->has_lower && envelope_hides(&h->lower, q->l.a, q->r.a, -bottom);
     if ((h->skip_upper || !h->has_upper) && (h->skip_lower || !h->has_lower)) return FACET_HIDDEN;

@@ -14,6 +14,16 @@ typedef struct pencil {
     int32_t a, w;
 } pencil_t;
 
+static inline int32_t pencil_min(int32_t a, int32_t b) {
+    return a < b ? a : b;
+}
+static inline int32_t pencil_max(int32_t a, int32_t b) {
+    return a > b ? a : b;
+}
+static inline int32_t pencil_abs(int32_t v) {
+    return v < 0 ? -v : v;
+}
+
 /* num / den rounded down; 0 <= num <= den. Good to 2^-24 at least; costs one 64-bit division. */
 static inline uint32_t pencil_fraction(uint64_t num, uint64_t den) {
     while (den >> 32 != 0) {
