@@ -96,16 +96,17 @@ static int port_plot(void *ctx, const plot_t *plot) {
 }
 
 /* The machine's numbers are kept when a command sets them; `reset` is about pictures and leaves them. */
-static void after_line(console_t *c, const char *line) {
-    machine_t *machine = &c->session.settings.machine;
-    keep_line(&c->keep, line);
+static void after_line(console_t *c, const char *line, int err) {
+    int32_t column = c->session.error.column; /* counted from 1; what stands before it has been done */
+    keep_line(&c->keep, line, !err ? SIZE_MAX : column > 0 ? (size_t)column - 1 : 0);
     if (c->session.lang.symbols <= c->own_symbols) keep_clear(&c->keep);
-    if (c->loading || memcmp(machine, &c->kept_machine, sizeof *machine) == 0) return;
-    if (!strstr(line, "mach")) {
-        *machine = c->kept_machine;
-    } else if (console_keep_settings(c)) {
+    if (strstr(line, "mach")) c->machine_line = true;
+    if (c->loading || session_state(&c->session) == SESSION_MORE) return;
+    if (!c->machine_line)
+        c->session.settings.machine = c->kept_machine;
+    else if (console_keep_settings(c))
         say("error: the machine's settings could not be kept\n");
-    }
+    c->machine_line = false;
 }
 
 int console_execute(console_t *c, const char *line) {
@@ -114,7 +115,7 @@ int console_execute(console_t *c, const char *line) {
     bool was_data = session_state(&c->session) == SESSION_DATA;
     err = session_line(&c->session, line);
     c->session.quit = false; /* there is nowhere to go */
-    if (!err && !was_data) after_line(c, line);
+    if (!was_data) after_line(c, line, err);
     return err;
 }
 

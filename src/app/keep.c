@@ -74,9 +74,10 @@ static const char *command_end(const char *p) {
     return p;
 }
 
-void keep_line(keep_t *k, const char *line) {
+void keep_line(keep_t *k, const char *line, size_t done) {
     for (const char *p = line;;) {
         const char *end = command_end(p);
+        if ((size_t)(end - line) >= done) return;
         if (is_wanted(p, end)) {
             if (end > p && end[-1] == '\\')
                 k->full = true; /* goes on in the next line */

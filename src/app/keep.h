@@ -18,8 +18,8 @@ typedef struct keep {
 _Static_assert(CONFIG_JOURNAL <= UINT16_MAX, "the length is 16 bits");
 
 void keep_clear(keep_t *k);
-/* After a line that was carried out without an error. */
-void keep_line(keep_t *k, const char *line);
+/* After a line was carried out: those of its commands that end before byte `done`. */
+void keep_line(keep_t *k, const char *line, size_t done);
 
 /* What the session prints while it is captured, instead of going to the terminal. */
 typedef struct keep_capture {

@@ -148,6 +148,9 @@ static void test_save_and_load(void **state) {
     fix_say("f(u)=7\rload\r", 200 * SECOND);
     assert_int_equal(fix.steps[0], steps[0]);
     assert_int_equal(fix.steps[1], steps[1]);
+    fix_say("g(x)=x+1; h=5; nonsense; i=6\rh(x)=\rsave\rload\rprint g(h)\r", 200 * SECOND); /* up to what is wrong */
+    HEARD("\r\n6\r\n");
+    fix.steps[0] -= steps[0];
     fix_say("print f(0), k\rshow view\rshow title\rshow plot\rsave\rload\r", 200 * SECOND);
     HEARD("0.0 3\r\n");
     HEARD("set view 50,40,1,1");
@@ -195,6 +198,10 @@ static void test_settings_are_kept(void **state) {
     assert_non_null(strstr(first, "invert x noswap corexy size 300,200"));
     assert_non_null(strstr(first + 1, "set machine steps 100.5,200 speed 50")); /* reset is about pictures */
     HEARD("set samples 100,100");
+    fix_say("set mach \\\rspeed 40\rset machine travel 30; nonsense\rprint 1\r", SECOND); /* continued; half wrong */
+    fix_power_on(sizeof fix.memory);
+    fix_say("show machine\r", SECOND);
+    HEARD("speed 40 travel 30");
 }
 
 static void test_too_large(void **state) {
