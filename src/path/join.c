@@ -29,7 +29,6 @@ void join_init(join_t *j, void *mem, uint32_t pairs, int32_t gap_lat, const ink_
 /* Are two parameters of p's line within the gap on the page? */
 static bool is_near(const join_t *j, const ink_piece_t *p, int64_t s_q30, int64_t t_q30) {
     page_point_t a, b;
-    if (t_q30 - s_q30 > JOIN_GAP_MAX) return false;
     if (!j->map->point(j->map->ctx, p->family, p->surface, p->line, s_q30, &a)) return false;
     if (!j->map->point(j->map->ctx, p->family, p->surface, p->line, t_q30, &b)) return false;
     int64_t dx = (int64_t)a.x_lat - b.x_lat, dy = (int64_t)a.y_lat - b.y_lat;
@@ -37,11 +36,20 @@ static bool is_near(const join_t *j, const ink_piece_t *p, int64_t s_q30, int64_
            dx * dx + dy * dy <= (int64_t)j->gap_lat * j->gap_lat;
 }
 
+/* May the gap from s to t be closed? A node inside of it becomes a vertex of the run, so it has to be near both ends: a
+ * spike that leaves the paper goes out and comes back within a quarter step of each other. */
+static bool is_gap_small(const join_t *j, const ink_piece_t *p, int64_t s_q30, int64_t t_q30) {
+    if (t_q30 - s_q30 > JOIN_GAP_MAX) return false;
+    int64_t node_q30 = ((s_q30 >> 30) + 1) * INK_ONE;
+    if (node_q30 >= t_q30) return is_near(j, p, s_q30, t_q30);
+    return is_near(j, p, s_q30, node_q30) && is_near(j, p, node_q30, t_q30);
+}
+
 /* Extends r by p if it continues r at either end. */
 static bool extend(const join_t *j, join_run_t *r, const ink_piece_t *p) {
     if (r->line != p->line || r->family != p->family || r->surface != p->surface || is_empty(r)) return false;
-    if (p->from_q30 > r->to_q30 && !is_near(j, p, r->to_q30, p->from_q30)) return false;
-    if (r->from_q30 > p->to_q30 && !is_near(j, p, p->to_q30, r->from_q30)) return false;
+    if (p->from_q30 > r->to_q30 && !is_gap_small(j, p, r->to_q30, p->from_q30)) return false;
+    if (r->from_q30 > p->to_q30 && !is_gap_small(j, p, p->to_q30, r->from_q30)) return false;
     if (p->from_q30 < r->from_q30) r->from_q30 = p->from_q30;
     if (p->to_q30 > r->to_q30) r->to_q30 = p->to_q30;
     return true;

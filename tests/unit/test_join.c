@@ -129,6 +129,31 @@ static void two_lines_share_a_pair(void **state) {
     assert_int_equal(got.n, 8);
 }
 
+/* Vertex 3 sticks out of the paper: as far as the map goes, the line leaves it and comes back at the same place. */
+static bool spike_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t_q30, page_point_t *p) {
+    (void)ctx, (void)family, (void)surface, (void)line;
+    int64_t off = t_q30 - 3 * INK_ONE;
+    if (off < 0) off = -off;
+    if (off < INK_ONE / 100) return false;
+    *p = (page_point_t){0, -(int32_t)(off * CELL >> 30)};
+    return true;
+}
+
+static void a_node_off_the_paper_keeps_its_gap(void **state) {
+    (void)state;
+    const ink_map_t spike = {NULL, spike_point};
+    start(8);
+    join.map = &spike;
+    piece(INK_ROW, 1, 0, 2.98);
+    piece(INK_ROW, 1, 3.02, 5);
+    piece(INK_ROW, 1, 5.02, 6); /* no node in this gap, but too wide */
+    assert_int_equal(join_finish(&join), 0);
+    assert_int_equal(got.n, 3);
+    expect(0, INK_ROW, 1, 0, 2.98);
+    expect(1, INK_ROW, 1, 5.02, 6);
+    expect(2, INK_ROW, 1, 3.02, 5);
+}
+
 static int refuse(void *ctx, const ink_piece_t *p) {
     (void)ctx;
     (void)p;
@@ -152,6 +177,7 @@ int main(void) {
         cmocka_unit_test(overlaps_are_drawn_once),
         cmocka_unit_test(lines_and_families_are_kept_apart),
         cmocka_unit_test(two_lines_share_a_pair),
+        cmocka_unit_test(a_node_off_the_paper_keeps_its_gap),
         cmocka_unit_test(errors_of_the_sink_travel),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
