@@ -41,11 +41,32 @@ void drawing_set_camera(drawing_t *d, const camera_t *c) {
         }
 }
 
+/* How many bytes the character of UTF-8 at s has; 0 if there is none: a byte out of place, an overlong form, a
+ * surrogate, or beyond U+10FFFF. */
+static size_t utf8_length(const char *s) {
+    static const unsigned LEAST[] = {0, 0, 0x80, 0x800, 0x10000};
+    unsigned char first = (unsigned char)*s;
+    size_t n = first < 0x80 ? 1 : first >> 5 == 6 ? 2 : first >> 4 == 14 ? 3 : first >> 3 == 30 ? 4 : 0;
+    if (n < 2) return n;
+    unsigned code = first & (0x7fu >> n);
+    for (size_t k = 1; k < n; k++) {
+        if (((unsigned char)s[k] & 0xc0) != 0x80) return 0;
+        code = code << 6 | ((unsigned char)s[k] & 0x3fu);
+    }
+    return code < LEAST[n] || code > 0x10ffff || code >> 11 == 0xd800 >> 11 ? 0 : n;
+}
+
 void drawing_set_title(drawing_t *d, const char *title) {
-    size_t n = strlen(title);
-    if (n >= sizeof d->title) n = sizeof d->title - 1;
-    memcpy(d->title, title, n);
-    d->title[n] = 0;
+    size_t at = 0, n;
+    for (const char *s = title; *s; s += n ? n : 1) {
+        n = utf8_length(s);
+        const char *c = n == 0 ? "?" : n == 1 && ((unsigned char)*s < ' ' || *s == 0x7f) ? " " : s;
+        size_t take = n ? n : 1;
+        if (at + take >= sizeof d->title) break;
+        memcpy(d->title + at, c, take);
+        at += take;
+    }
+    d->title[at] = 0;
 }
 
 /* Makes *array hold at least one item more than `used`. */

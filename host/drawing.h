@@ -40,7 +40,8 @@ void drawing_free(drawing_t *d);
 
 /* The camera's rows 0 and 1 are lat per world unit; they are kept as mm. */
 void drawing_set_camera(drawing_t *d, const camera_t *c);
-/* Keeps at most DRAWING_TITLE_MAX - 1 bytes. */
+/* Keeps whole characters, at most DRAWING_TITLE_MAX - 1 bytes. What is not UTF-8 becomes `?`, control characters
+ * blanks: it goes into XML, JSON and PDF. */
 void drawing_set_title(drawing_t *d, const char *title);
 
 /* A sink that appends to d, which must outlive it. A move without a draw after it leaves nothing; a draw to where

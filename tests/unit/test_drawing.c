@@ -171,6 +171,29 @@ static void svg_reads_back(void **state) {
     drawing_free(&d);
 }
 
+static void titles_are_utf8(void **state) {
+    static const char *const CASES[][2] = {
+        {"H\xc3\xbcgel \xe2\x82\xac \xf0\x9f\x98\x80", "H\xc3\xbcgel \xe2\x82\xac \xf0\x9f\x98\x80"},
+        {"H\xfcgel\x01\ta\x7f", "H?gel  a "},
+        {"\xc3", "?"},                       /* cut short */
+        {"\xc0\xaf\xed\xa0\x80", "?????"},   /* overlong; a surrogate */
+        {"\xf4\x90\x80\x80 \xff", "???? ?"}, /* beyond Unicode */
+    };
+    (void)state;
+    drawing_t d;
+    drawing_init(&d);
+    for (size_t k = 0; k < sizeof CASES / sizeof CASES[0]; k++) {
+        drawing_set_title(&d, CASES[k][0]);
+        assert_string_equal(d.title, CASES[k][1]);
+    }
+    char many[2 * DRAWING_TITLE_MAX + 1] = "x";
+    for (int k = 1; k + 2 < (int)sizeof many; k += 2) memcpy(many + k, "\xc3\xbc", 3);
+    drawing_set_title(&d, many);
+    assert_int_equal(strlen(d.title), (DRAWING_TITLE_MAX - 1) | 1); /* not half a character */
+    assert_memory_equal(d.title, many, strlen(d.title));
+    drawing_free(&d);
+}
+
 static void hpgl_reads_back(void **state) {
     (void)state;
     drawing_t d;
@@ -286,6 +309,7 @@ int main(void) {
         cmocka_unit_test(camera_is_kept_in_mm),
         cmocka_unit_test(seg_reads_back_to_the_lat),
         cmocka_unit_test(svg_reads_back),
+        cmocka_unit_test(titles_are_utf8),
         cmocka_unit_test(hpgl_reads_back),
         cmocka_unit_test(gcode_says_what_a_plotter_does),
         cmocka_unit_test(pictures_are_what_they_say),
