@@ -139,6 +139,10 @@ static void slopes_of_box(slopes_t *s, const camera_t *cam, const view_box_t *bo
     }
 }
 
+/* A picture that is fitted stays so far from the window's border: an edge exactly there would be cut off by the last
+ * bit of its rounding. */
+#define FIT_SPARE_LAT 4
+
 static int setup_perspective(camera_t *cam, const settings_t *s, const view_box_t *box) {
     num_t forward[3], right[3], up[3] = {num_from_i64(0), num_from_i64(0), num_from_i64(1)};
     for (int k = 0; k < 3; k++) {
@@ -165,7 +169,8 @@ static int setup_perspective(camera_t *cam, const settings_t *s, const view_box_
 
     const page_window_t *w = &cam->window;
     num_t span_x = num_sub(fit.hi[0], fit.lo[0]), span_y = num_sub(fit.hi[1], fit.lo[1]);
-    num_t width = num_from_i64(w->x1_lat - w->x0_lat), height = num_from_i64(w->y1_lat - w->y0_lat);
+    num_t width = num_from_i64(w->x1_lat - w->x0_lat - 2 * FIT_SPARE_LAT);
+    num_t height = num_from_i64(w->y1_lat - w->y0_lat - 2 * FIT_SPARE_LAT);
     /* width / span_x against height / span_y without dividing by a span that may be zero */
     bool wide = num_cmp(num_mul(width, span_y), num_mul(height, span_x)) <= 0;
     if (num_sign(wide ? span_x : span_y) <= 0) return ERR_VALUE;

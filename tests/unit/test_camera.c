@@ -123,8 +123,9 @@ static void perspective_fits_the_window(void **state) {
         }
         double spare_x = fmin(lo[0] - cam.window.x0_lat, cam.window.x1_lat - hi[0]);
         double spare_y = fmin(lo[1] - cam.window.y0_lat, cam.window.y1_lat - hi[1]);
-        assert_true(spare_x > -1 && spare_y > -1);
-        assert_true(fmin(spare_x, spare_y) < 1);
+        /* inside by more than rounding, or an edge on the border would be cut off */
+        assert_true(spare_x > 3 && spare_y > 3);
+        assert_true(fmin(spare_x, spare_y) < 5);
     }
 }
 
