@@ -43,6 +43,12 @@ static void on_begin(void *ctx, const camera_t *cam) {
     drawing_set_camera(&w->job->drawing, cam);
 }
 
+static int no_memory(job_t *job, size_t bytes) {
+    progress_wipe();
+    fprintf(stderr, "ridgeline: no memory for this drawing (%zu MB)\n", bytes >> 20);
+    return job->trouble = ERR_FULL;
+}
+
 static bool lend(job_t *job, size_t bytes) {
     if (bytes <= job->lent_bytes) return true;
     free(job->lent);
@@ -57,17 +63,14 @@ static int draw(job_t *job, const plot_t *plot, picture_t *picture, watch_t *w) 
     pen_sink_t pen = drawing_sink(&job->drawing);
     size_t bytes = picture_bytes(plot);
     for (;;) {
-        if (!lend(job, bytes)) {
-            fprintf(stderr, "ridgeline: no memory for this drawing (%zu MB)\n", bytes >> 20);
-            job->trouble = ERR_FULL;
-            return ERR_FULL;
-        }
+        if (!lend(job, bytes)) return no_memory(job, bytes);
         drawing_clear(&job->drawing);
         memset(w->begun, 0, sizeof w->begun);
         /* exactly this much, though an earlier page may have needed more: the order of strokes depends on it */
         int err = picture_draw(picture, plot, job->lent, bytes, &pen, &hooks);
         w->begun[PICTURE_DONE] = progress_now();
-        if (err != ERR_FULL || bytes >= JOB_LENT_MAX) return err;
+        if (err != ERR_FULL) return err;
+        if (bytes >= JOB_LENT_MAX) return no_memory(job, bytes);
         bytes = bytes * 2 < JOB_LENT_MAX ? bytes * 2 : JOB_LENT_MAX;
     }
 }

@@ -3,6 +3,8 @@
 
 #include <editline/readline.h>
 #include <limits.h>
+#include <setjmp.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,16 +25,40 @@ static void remember(const char *line, char *last, size_t room) {
     snprintf(last, room, "%s", line);
 }
 
+static sigjmp_buf to_prompt;
+static volatile sig_atomic_t is_reading;
+
+/* Ctrl-C takes back the line that is being typed, as in a shell; while something is computed it ends the program.
+ * libedit begins anew with its next line, so leaving it half-way costs no more than that line's memory. */
+static void on_interrupt(int sig) {
+    if (is_reading) siglongjmp(to_prompt, 1);
+    signal(sig, SIG_DFL);
+    raise(sig);
+}
+
+/* The next line, to be freed; NULL at the end of the input. */
+static char *read_line(void) {
+    if (sigsetjmp(to_prompt, 1)) {
+        putchar('\n');
+        script_cancel();
+    }
+    is_reading = 1;
+    char *line = readline(script_state() == SESSION_READY ? "ridgeline> " : "> ");
+    is_reading = 0;
+    return line;
+}
+
 void prompt_run(void) {
     char path[PATH_MAX], last[1024] = "";
     bool keep = history_path(path, sizeof path);
     using_history();
     stifle_history(PROMPT_HISTORY);
     if (keep) read_history(path);
+    signal(SIGINT, on_interrupt);
     puts("Ridgeline: type `splot exp(-x**2-y**2)`, `help` or `quit`.");
     script_source(NULL);
     while (script_state() != SESSION_QUIT) {
-        char *line = readline(script_state() == SESSION_READY ? "ridgeline> " : "> ");
+        char *line = read_line();
         if (!line) {
             putchar('\n');
             break;

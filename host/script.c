@@ -1,6 +1,7 @@
 /* script.c - the session's port, in stdio. */
 #include "host/script.h"
 
+#include <errno.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -126,6 +127,9 @@ void script_source(const char *name) {
 int script_line(const char *text) {
     return session_line(&script.session, text);
 }
+void script_cancel(void) {
+    session_cancel(&script.session);
+}
 enum session_state script_state(void) {
     return session_state(&script.session);
 }
@@ -150,6 +154,10 @@ int script_file(FILE *f, const char *name) {
         err = script_line(line);
     }
     free(line);
+    if (!err && ferror(f)) { /* a folder, for example */
+        fprintf(stderr, "ridgeline: %s: %s\n", name, strerror(errno));
+        return ERR_FILE;
+    }
     if (!err && script_state() != SESSION_QUIT) err = session_end(&script.session);
     return err;
 }
@@ -157,5 +165,5 @@ int script_file(FILE *f, const char *name) {
 int script_status(int err) {
     if (!err) return SCRIPT_DONE;
     if (script.job->trouble) return SCRIPT_TROUBLE;
-    return err == ERR_FULL || err == ERR_MACHINE || err == ERR_STOPPED ? SCRIPT_TROUBLE : SCRIPT_BAD_INPUT;
+    return err == ERR_MACHINE || err == ERR_STOPPED ? SCRIPT_TROUBLE : SCRIPT_BAD_INPUT;
 }

@@ -20,6 +20,8 @@ void script_begin(job_t *job, bool waits);
 void script_source(const char *name);
 /* One line without its end. 0 or the session's error, which has been reported. */
 int script_line(const char *text);
+/* Forgets a line to be continued, and inline data. */
+void script_cancel(void);
 enum session_state script_state(void);
 /* All lines of f, called `name`. Stops at the first error or at `quit`. 0 or the error. */
 int script_file(FILE *f, const char *name);

@@ -50,15 +50,19 @@ static void pop(session_t *s) {
     s->frames--;
 }
 
-/* Reports err and forgets what was under way. */
-static int give_up(session_t *s, int err) {
-    if (s->error.code != err) lang_error_set(&s->error, err, 0, error_text(err));
-    session_report(s);
+void session_cancel(session_t *s) {
     while (s->frames > 1) pop(s);
     forget_line(&s->frame[0]);
     if (s->in_last) s->last[s->last_len] = '\0'; /* what replot added is wrong */
     s->plot.waiting = false;
     s->in_last = false;
+}
+
+/* Reports err and forgets what was under way. */
+static int give_up(session_t *s, int err) {
+    if (s->error.code != err) lang_error_set(&s->error, err, 0, error_text(err));
+    session_report(s);
+    session_cancel(s);
     return err;
 }
 
@@ -73,8 +77,16 @@ static int append(session_t *s, session_frame_t *f, const char *text, size_t n) 
     return 0;
 }
 
+/* Some programs begin a file of UTF-8 with a mark. */
+static void skip_byte_order_mark(session_frame_t *f) {
+    if (f->len < 3 || memcmp(f->text, "\xef\xbb\xbf", 3) != 0) return;
+    f->len -= 3;
+    memmove(f->text, f->text + 3, f->len);
+}
+
 /* A physical line is complete: either it is continued or the logical line begins to be executed. */
 static void end_line(session_frame_t *f) {
+    if (f->line == 1) skip_byte_order_mark(f);
     if (f->len > 0 && f->text[f->len - 1] == '\r') f->len--;
     f->more = f->len > 0 && f->text[f->len - 1] == '\\';
     if (f->more) {
@@ -186,7 +198,7 @@ static int run(session_t *s) {
 
 int session_load(session_t *s, const char *name, const lexer_t *at) {
     if (s->frames > CONFIG_LOAD_DEPTH)
-        return lang_error_set_number(&s->error, ERR_FULL, lexer_column(at), "files loaded within files; most",
+        return lang_error_set_number(&s->error, ERR_FULL, lexer_column(at), "files load each other too deeply; most",
                                      CONFIG_LOAD_DEPTH);
     int handle = s->port->open(s->port->ctx, name);
     if (handle < 0) return lang_error_set_name(&s->error, handle, lexer_column(at), "cannot load", name, strlen(name));

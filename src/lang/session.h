@@ -140,6 +140,8 @@ void session_source(session_t *s, const char *name);
 int session_line(session_t *s, const char *text);
 /* The end of the input: an unfinished line or unfinished inline data is an error. */
 int session_end(session_t *s);
+/* Forgets what is under way: a line to be continued, inline data (the user thinks better of it). */
+void session_cancel(session_t *s);
 enum session_state session_state(const session_t *s);
 const settings_t *session_settings(const session_t *s);
 

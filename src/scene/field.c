@@ -212,6 +212,12 @@ static void next_character(field_t *f, char c) {
     }
 }
 
+/* The mark with which some programs begin a file of UTF-8. */
+static bool is_byte_order_mark(const field_t *f, char c) {
+    static const char MARK[] = "\xef\xbb\xbf";
+    return f->lines == 0 && f->at <= 3 && c == MARK[f->at - 1];
+}
+
 static void new_line(field_t *f) {
     f->lines++;
     f->at = 0;
@@ -280,6 +286,7 @@ enum field_event field_next(field_t *f, const char **p, const char *end) {
                 separates_nothing(f, c);
             return event;
         }
+        if (f->state == AT_START && is_byte_order_mark(f, c)) continue;
         if (c == '#') {
             f->comment_only = f->state == AT_START;
             f->state = COMMENT;

@@ -15,6 +15,27 @@ every_suffix_is_written() {
     expect_text a.gcode G21 G90 'M3 S1000' M5
 }
 
+a_byte_order_mark_is_skipped() {
+    printf '\357\273\277set isosamples 8\r\nload "more.gp"\r\nsplot "d.dat"\r\n' >mark.gp
+    printf '\357\273\277title = 1\r\n' >more.gp
+    printf '\357\273\2771 1 1\r\n1 2 2\r\n\r\n2 1 3\r\n2 2 5\r\n' >d.dat
+    ridgeline plot mark.gp -o a.seg 2>err
+    [ ! -s err ]
+    [ -s a.seg ]
+}
+
+what_is_no_scene_is_bad_input() {
+    mkdir folder
+    expect_status 2 ridgeline plot folder -o a.svg 2>err
+    expect_text err 'folder: Is a directory'
+    for bad in 'f(a,b,c,d,e,f,g,h,i) = a' 'f(x) = f(x); print f(1)' 'load "bad.gp"'; do
+        echo "$bad" >bad.gp
+        expect_status 2 ridgeline plot bad.gp -o a.svg 2>err
+        expect_text err '"bad.gp", line 1, column '
+    done
+    [ ! -e a.svg ]
+}
+
 seg_is_what_the_format_says() {
     ridgeline plot "$scenes/smooth.gp" -o a.seg
     awk 'NR == 1 { if (NF != 14 || $1 != "#" || $2 != "camera") exit bad = 1; next }
@@ -165,7 +186,7 @@ no_progress_off_a_terminal() {
     [ ! -s err ]
 }
 
-run_tests every_suffix_is_written seg_is_what_the_format_says runs_are_the_same pages_are_numbered scene_from_stdin \
+run_tests every_suffix_is_written a_byte_order_mark_is_skipped what_is_no_scene_is_bad_input seg_is_what_the_format_says runs_are_the_same pages_are_numbered scene_from_stdin \
     continued_lines_comments_and_several_commands set_runs_before_the_scene stats_tell_every_page a_table_when_asked \
     print_goes_to_stdout data_beside_the_scene_is_found inline_data an_error_shows_line_column_and_caret \
     bad_input_draws_nothing_and_says_2 a_known_but_ignored_option_is_warned_of_once bad_options_get_a_hint \

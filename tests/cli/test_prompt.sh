@@ -27,6 +27,15 @@ outputs_can_be_chosen() {
     [ ! -e plot.svg ]
 }
 
+ctrl_c_takes_a_line_back() {
+    {
+        sleep 0.4; printf 'print 41'; sleep 0.2; printf '\003'
+        sleep 0.2; printf 'splot "-"\n'; sleep 0.2; printf '\003'
+        sleep 0.2; printf 'print 40+2\nquit\n'
+    } | at_terminal "$RIDGELINE" >out
+    tr -d '\r' <out | grep -qx 42
+}
+
 history_is_kept() {
     printf 'print 1\nprint 2\nprint 2\nquit\n' | at_terminal "$RIDGELINE" >out
     [ "$(grep -c 'print' .ridgeline_history)" -eq 2 ]
@@ -48,7 +57,7 @@ a_long_job_says_how_far_it_is() {
 }
 
 if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
-    run_tests a_plot_at_the_prompt_becomes_plot_svg an_error_does_not_end_it outputs_can_be_chosen history_is_kept \
+    run_tests a_plot_at_the_prompt_becomes_plot_svg an_error_does_not_end_it outputs_can_be_chosen ctrl_c_takes_a_line_back history_is_kept \
         without_a_terminal_it_reads_a_script a_long_job_says_how_far_it_is
 else
     echo "# the prompt itself is not tested: no pseudo-terminal can be had here"
