@@ -49,5 +49,6 @@ int plotter_write_vcd(const drawing_t *d, const machine_t *machine, const char *
         if (!err) err = written;
     }
     if (fclose(f) != 0 && !err) err = ERR_FILE;
+    if (err == ERR_MACHINE) remove(path); /* the beginning of a trace would pass for a trace */
     return err;
 }

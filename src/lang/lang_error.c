@@ -68,7 +68,7 @@ size_t lang_error_picture(const lang_error_t *err, const char *text, size_t len,
     *out = 0;
     size_t column = err->column > 0 ? (size_t)err->column - 1 : 0; /* from 0 */
     size_t below = LANG_ERROR_MAX + 40;                            /* what the last line may take */
-    if (err->column > 0 && column <= len && size > below + 2 * 20) {
+    if (text && err->column > 0 && column <= len && size > below + 2 * 20) {
         /* Two lines of `width` at most: the text is cut at its left when the caret would not fit. */
         size_t width = (size - below) / 2 - 1;
         size_t from = column < width ? 0 : column - width + 1;

@@ -32,9 +32,9 @@ int lang_error_set_number(lang_error_t *err, int code, int32_t column, const cha
  *                ^
  *     line 3, column 12: ')' expected
  *
- * text is the line that err speaks of. A line longer than the buffer allows is shown around the column. Without
- * a column only the last line is written. Returns the number of bytes before the zero. A buffer of
- * LANG_PICTURE_MAX bytes shows lines of up to 80 bytes whole. */
+ * text is the line that err speaks of, NULL if it is not at hand (data). A line longer than the buffer allows is shown
+ * around the column. Without a column only the last line is written. Returns the number of bytes before the zero. A
+ * buffer of LANG_PICTURE_MAX bytes shows lines of up to 80 bytes whole. */
 #define LANG_PICTURE_MAX (2 * 81 + LANG_ERROR_MAX + 40)
 size_t lang_error_picture(const lang_error_t *err, const char *text, size_t len, char *out, size_t size);
 

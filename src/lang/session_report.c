@@ -105,6 +105,6 @@ void session_report(session_t *s) {
         place_error(s, &text, &len);
         report(s, session_top(s)->name, text, len);
     } else {
-        report(s, s->plot.waiting ? session_top(s)->name : s->frame_name[0], "", 0);
+        report(s, s->plot.waiting ? session_top(s)->name : s->frame_name[0], NULL, 0);
     }
 }
