@@ -32,11 +32,18 @@ static void record(void *ctx, uint64_t tick, uint32_t pins, uint32_t changed) {
     if (++drawn % 20000 == 0) sim_console_type(tick + 1, "\x18", 1);
 }
 
+/* Somebody always comes and presses Ctrl-X: a hold or a `pause -1` may last for ever. */
+static void give_up(void *ctx) {
+    sim_console_type(sim_now() + 1, "\x18", 1);
+    sim_at(sim_now() + 10 * HAL_TICK_HZ, give_up, ctx);
+}
+
 static void power_on(void) {
     sim_reset();
     sim_console_reset();
     sim_console_listen(listen, NULL);
     sim_record(record, NULL);
+    sim_at(10 * HAL_TICK_HZ, give_up, NULL);
     console_begin(&console, &(console_config_t){memory, sizeof memory, MOTION_BYTES_SMALL});
 }
 
