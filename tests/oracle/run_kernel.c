@@ -53,6 +53,33 @@ static num_t z_of(void *ctx, int32_t i, int32_t j) {
     return r->hole && r->hole[j * r->nx + i] ? num_undef() : run_num(r->z[j * r->nx + i]);
 }
 
+static int take_of_several(void *ctx, const ink_piece_t *p) {
+    return take((run_drawing_t *)ctx + p->surface, p);
+}
+
+int run_several(const surface_ref_t *sheet, int n, run_drawing_t *d, hidden_stats_t *stats) {
+    enum { MOST = 4 };
+    surface_ref_t ref[MOST];
+    surface_t surface[MOST];
+    grid_t g[MOST], *grid[MOST];
+    camera_t cam = run_camera(&sheet[0].eye);
+    ink_sink_t sink = {d, take_of_several};
+    *stats = (hidden_stats_t){0};
+    for (int k = 0; k < n && k < MOST; k++) {
+        ref[k] = sheet[k];
+        surface[k] = (surface_t){ref[k].nx, ref[k].ny, &ref[k], x_of, y_of, z_of};
+        grid[k] = &g[k];
+        int err = grid_measure(&g[k], &surface[k], NULL, NULL, NULL, NULL, NULL);
+        if (err) return err;
+    }
+    size_t bytes = perimeter_bytes(ref[0].nx, 800 * n * (ref[0].nx + ref[0].ny) + 1000);
+    hidden_job_t job = {.mem = malloc(bytes), .bytes = bytes, .sink = &sink};
+    if (!job.mem) abort();
+    int err = perimeter_draw_several(grid, n, &cam, &job, stats);
+    free(job.mem);
+    return err;
+}
+
 int run_perimeter_in(const scene_t *s, run_drawing_t *d, size_t bytes, hidden_stats_t *stats) {
     surface_ref_t ref = s->ref;
     surface_t surface = {ref.nx, ref.ny, &ref, x_of, y_of, z_of};

@@ -25,4 +25,8 @@ int run_perimeter(const scene_t *s, run_drawing_t *d, hidden_stats_t *stats);
 /* The same in so many bytes of memory, lent from the heap so that a sanitizer sees its ends. */
 int run_perimeter_in(const scene_t *s, run_drawing_t *d, size_t bytes, hidden_stats_t *stats);
 
+/* Draws n surfaces over the same grid together, sheet[k] by its own arrays and all with the eye of the first; d[k] gets
+ * the pieces of surface k. */
+int run_several(const surface_ref_t *sheet, int n, run_drawing_t *d, hidden_stats_t *stats);
+
 #endif
