@@ -154,7 +154,7 @@ fmt: ## format every source
 fmt-check:
 	$(Q)clang-format --dry-run -Werror $(SOURCES)
 
--include $(wildcard tests/bench/*.mk)
+-include $(wildcard tests/bench/*.mk tests/report/*.mk)
 
 clean: ## remove what was built
 	$(Q)rm -rf $(BUILDDIR)

@@ -1,0 +1,142 @@
+/* One pass for the ranges, one for the marks. Text stays text, so a browser can search it. */
+#include "tests/report/figure.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define WIDTH 760.
+#define HEIGHT 460.
+#define LEFT 76.
+#define TOP 40.
+#define PLOT_WIDTH 500.
+#define PLOT_HEIGHT 360.
+
+static const char *const colour[] = {"#1b6ca8", "#c8442b", "#2f8f4e", "#8a4fa3", "#c98a12",
+                                     "#4c4c4c", "#12a0a0", "#b0306a", "#6b7d1e"};
+#define COLOURS ((int)(sizeof colour / sizeof *colour))
+
+typedef struct axis {
+    double lo, hi;
+    bool log;
+} axis_t;
+
+void figure_init(figure_t *f, const char *title, const char *x_title, const char *y_title) {
+    *f = (figure_t){.title = title, .x_title = x_title, .y_title = y_title};
+}
+
+int figure_series(figure_t *f, const char *name) {
+    if (f->series == FIGURE_SERIES) abort();
+    f->name[f->series] = name;
+    return f->series++;
+}
+
+void figure_add(figure_t *f, int series, double x, double y, const char *label) {
+    if ((f->x_log && !(x > 0)) || (f->y_log && !(y > 0))) return;
+    if (f->points == FIGURE_POINTS) abort();
+    f->point[f->points++] = (figure_point_t){x, y, series, label};
+}
+
+static axis_t range(const figure_t *f, bool of_y) {
+    axis_t a = {INFINITY, -INFINITY, of_y ? f->y_log : f->x_log};
+    for (int i = 0; i < f->points; i++) {
+        double v = of_y ? f->point[i].y : f->point[i].x;
+        a.lo = fmin(a.lo, v), a.hi = fmax(a.hi, v);
+    }
+    if (f->points == 0) a.lo = a.hi = 1;
+    if (a.log) {
+        a.lo = floor(log10(a.lo)), a.hi = ceil(log10(a.hi));
+        if (a.lo == a.hi) a.hi++;
+    } else {
+        a.lo = fmin(a.lo, 0);
+        if (a.hi <= a.lo) a.hi = a.lo + 1;
+    }
+    return a;
+}
+
+static double place(axis_t a, double v) {
+    return ((a.log ? log10(v) : v) - a.lo) / (a.hi - a.lo);
+}
+static double px(axis_t a, double v) {
+    return LEFT + PLOT_WIDTH * place(a, v);
+}
+static double py(axis_t a, double v) {
+    return TOP + PLOT_HEIGHT * (1 - place(a, v));
+}
+
+/* Distance of the marks of an axis: 1, 2 or 5 times a power of ten. */
+static double step_of(axis_t a) {
+    double rough = (a.hi - a.lo) / 6, ten = pow(10, floor(log10(rough))), k = rough / ten;
+    if (a.log) return fmax(1, ceil((a.hi - a.lo) / 10));
+    return ten * (k <= 1 ? 1 : k <= 2 ? 2 : k <= 5 ? 5 : 10);
+}
+
+static void draw_axis(FILE *out, axis_t a, bool of_y) {
+    double step = step_of(a);
+    int first = (int)ceil(a.lo / step), last = (int)floor(a.hi / step + 1e-9);
+    for (int k = first; k <= last; k++) {
+        double v = a.log ? pow(10, k * step) : k * step;
+        double at = of_y ? py(a, v) : px(a, v);
+        if (of_y)
+            fprintf(out, "<path d='M%g %.1fh%g' stroke='#ddd'/><text x='%g' y='%.1f' text-anchor='end'>%g</text>\n",
+                    LEFT, at, PLOT_WIDTH, LEFT - 6, at + 4, v);
+        else
+            fprintf(out, "<path d='M%.1f %gv%g' stroke='#ddd'/><text x='%.1f' y='%g' text-anchor='middle'>%g</text>\n",
+                    at, TOP, PLOT_HEIGHT, at, TOP + PLOT_HEIGHT + 16, v);
+    }
+}
+
+static void draw_series(FILE *out, const figure_t *f, int s, axis_t x, axis_t y) {
+    const char *c = colour[s % COLOURS];
+    const char *verb = "M";
+    if (f->joined) {
+        fprintf(out, "<path fill='none' stroke='%s' stroke-width='1.5' d='", c);
+        for (int i = 0; i < f->points; i++) {
+            const figure_point_t *p = &f->point[i];
+            if (p->series != s) continue;
+            fprintf(out, "%s%.1f %.1f", verb, px(x, p->x), py(y, p->y));
+            verb = "L";
+        }
+        fprintf(out, "'/>\n");
+    }
+    for (int i = 0; i < f->points; i++) {
+        const figure_point_t *p = &f->point[i];
+        if (p->series != s) continue;
+        double at_x = px(x, p->x), at_y = py(y, p->y);
+        if (s < COLOURS)
+            fprintf(out, "<circle cx='%.1f' cy='%.1f' r='3' fill='%s'/>\n", at_x, at_y, c);
+        else
+            fprintf(out, "<rect x='%.1f' y='%.1f' width='6' height='6' fill='none' stroke='%s'/>\n", at_x - 3, at_y - 3,
+                    c);
+        if (p->label) fprintf(out, "<text x='%.1f' y='%.1f' fill='%s'>%s</text>\n", at_x + 5, at_y - 4, c, p->label);
+    }
+    fprintf(out, "<circle cx='%g' cy='%d' r='3' fill='%s'/><text x='%g' y='%d'>%s</text>\n", LEFT + PLOT_WIDTH + 18,
+            50 + 17 * s, c, LEFT + PLOT_WIDTH + 28, 54 + 17 * s, f->name[s]);
+}
+
+void figure_write(const figure_t *f, const char *name) {
+    FILE *out = fopen(name, "w");
+    axis_t x = range(f, false), y = range(f, true);
+    if (!out) {
+        perror(name);
+        exit(1);
+    }
+    fprintf(out,
+            "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 %g %g' font-family='sans-serif' font-size='11'>\n"
+            "<rect width='100%%' height='100%%' fill='#fff'/>\n",
+            WIDTH, HEIGHT);
+    draw_axis(out, x, false);
+    draw_axis(out, y, true);
+    fprintf(out, "<rect x='%g' y='%g' width='%g' height='%g' fill='none' stroke='#555'/>\n", LEFT, TOP, PLOT_WIDTH,
+            PLOT_HEIGHT);
+    if (f->y_line > 0)
+        fprintf(out, "<path d='M%g %.1fh%g' stroke='#c00' stroke-dasharray='6 4'/>\n", LEFT, py(y, f->y_line),
+                PLOT_WIDTH);
+    for (int s = 0; s < f->series; s++) draw_series(out, f, s, x, y);
+    fprintf(out,
+            "<text x='%g' y='24' font-size='14'>%s</text><text x='%g' y='%g' text-anchor='middle'>%s</text>\n"
+            "<text transform='translate(16 %g) rotate(-90)' text-anchor='middle'>%s</text>\n</svg>\n",
+            LEFT, f->title, LEFT + PLOT_WIDTH / 2, TOP + PLOT_HEIGHT + 38, f->x_title, TOP + PLOT_HEIGHT / 2,
+            f->y_title);
+    if (fclose(out)) exit(1);
+}

@@ -1,0 +1,34 @@
+/* figure.h - a small plot of series of points, linear or logarithmic, as SVG. */
+#ifndef FIGURE_H
+#define FIGURE_H
+
+#include <stdbool.h>
+
+#define FIGURE_POINTS 2048
+#define FIGURE_SERIES 24
+
+typedef struct figure_point {
+    double x, y;
+    int series;
+    const char *label; /* beside the mark, or NULL */
+} figure_point_t;
+
+typedef struct figure {
+    const char *title, *x_title, *y_title;
+    bool x_log, y_log, joined; /* joined: a line from point to point of a series */
+    double y_line;             /* a horizontal line, if not 0 */
+    const char *name[FIGURE_SERIES];
+    int series, points;
+    figure_point_t point[FIGURE_POINTS];
+} figure_t;
+
+/* Starts an empty figure. The texts are kept as pointers. */
+void figure_init(figure_t *f, const char *title, const char *x_title, const char *y_title);
+/* Adds a series; returns its number. */
+int figure_series(figure_t *f, const char *name);
+/* Adds a point. On logarithmic axes what is not positive is left out. */
+void figure_add(figure_t *f, int series, double x, double y, const char *label);
+/* Writes the file; ends the program if that fails. */
+void figure_write(const figure_t *f, const char *name);
+
+#endif

@@ -1,0 +1,48 @@
+/* The wrapped functions: __real_ is the kernels' own. */
+#include "tests/report/lattice.h"
+
+#include "hidden/horizons.h"
+#include "view/chart.h"
+
+int lattice_shift;
+int lattice_profiles;
+
+void __real_chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam, chart_column_t *column);
+void __wrap_chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam, chart_column_t *column);
+void __real_chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line);
+void __wrap_chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line);
+int __real_horizons_init(horizons_t *h, bool upper, bool lower, int32_t narrow, pencil_t *pool, size_t count,
+                         envelope_take_t take, void *ctx);
+int __wrap_horizons_init(horizons_t *h, bool upper, bool lower, int32_t narrow, pencil_t *pool, size_t count,
+                         envelope_take_t take, void *ctx);
+int __real_horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1);
+int __wrap_horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1);
+
+static int32_t coarse(int32_t v) {
+    return lattice_shift ? (v + (1 << (lattice_shift - 1))) >> lattice_shift : v;
+}
+static pencil_t coarse_point(pencil_t p) {
+    return (pencil_t){coarse(p.a), coarse(p.w)};
+}
+
+void __wrap_chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam, chart_column_t *column) {
+    __real_chart_init(c, grid, n, cam, column);
+    c->narrow >>= lattice_shift;
+}
+
+void __wrap_chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line) {
+    __real_chart_row(c, g, j, line);
+    if (lattice_shift && c->kind < CHART_AROUND)
+        for (int32_t i = 0; i < g->nx; i++) line->at[i] = coarse_point(line->at[i]);
+}
+
+int __wrap_horizons_init(horizons_t *h, bool upper, bool lower, int32_t narrow, pencil_t *pool, size_t count,
+                         envelope_take_t take, void *ctx) {
+    return __real_horizons_init(h, upper, lower, lattice_profiles ? narrow >> lattice_shift : narrow, pool, count, take,
+                                ctx);
+}
+
+int __wrap_horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1) {
+    return lattice_profiles ? __real_horizons_clip(h, coarse_point(p0), coarse_point(p1))
+                            : __real_horizons_clip(h, p0, p1);
+}

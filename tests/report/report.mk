@@ -1,0 +1,17 @@
+# `make report`: the numbers report, docs/report. Each program writes data and figures, and its section of the README.
+comma := ,
+REPORT_DIR ?= docs/report
+REPORT_LIB := $(patsubst %.c,$(BUILDDIR)/obj/%.o,$(filter-out tests/report/report_%.c,$(wildcard tests/report/*.c)))
+REPORTS := $(patsubst tests/report/%.c,$(BUILDDIR)/report/%,$(wildcard tests/report/report_*.c))
+# lattice.c stands before these functions of src/.
+REPORT_WRAP := $(addprefix -Wl$(comma)--wrap=,chart_init chart_row horizons_init horizons_clip)
+
+$(BUILDDIR)/report/%: $(BUILDDIR)/obj/tests/report/%.o $(REPORT_LIB) $(BUILDDIR)/liboracle.a $(BUILDDIR)/libhost.a $(BUILDDIR)/libcore.a
+	@mkdir -p $(@D)
+	$(call say,LD,$@)
+	$(Q)$(CC) $(LDFLAGS) $(REPORT_WRAP) $^ $(HOST_LIBS) -lgmp -lm -o $@
+
+report: host $(REPORTS) ## write docs/report: speed against error, hard cases, the papers' experiments
+	$(Q)sh tests/report/report.sh $(BUILDDIR) $(REPORT_DIR)
+.PHONY: report
+$(BUILDDIR)/obj/tests/report/report_hard.o: CPPFLAGS += $(HOST_CFLAGS)
