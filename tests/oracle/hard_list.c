@@ -217,8 +217,8 @@ const char *hard_list_name(int i) {
     return list[i].name;
 }
 
-void hard_list_build(int i, scene_t *s) {
-    const hard_case_t *h = &list[i];
+void hard_list_build(int number, scene_t *s) {
+    const hard_case_t *h = &list[number];
     uint64_t rng = 1;
     double k = h->scale > 0 ? h->scale : 1;
     scene_init(s, h->nx, h->ny);

@@ -6,7 +6,7 @@
 
 int hard_list_count(void);
 const char *hard_list_name(int i);
-/* Makes scene i, 0 <= i < hard_list_count(), to be freed by scene_free. */
-void hard_list_build(int i, scene_t *s);
+/* Makes a scene, 0 <= number < hard_list_count(), to be freed by scene_free. */
+void hard_list_build(int number, scene_t *s);
 
 #endif

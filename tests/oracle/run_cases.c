@@ -13,6 +13,11 @@ uint64_t cases_scaled(uint64_t n) {
     return k > 0 ? (uint64_t)ceil((double)n * k) : n;
 }
 
+uint64_t cases_first(uint64_t first, uint64_t count) {
+    const char *s = getenv("RIDGELINE_ROUND");
+    return first + (s ? strtoull(s, NULL, 0) : 0) * count;
+}
+
 bool cases_only_seed(uint64_t *seed) {
     const char *s = getenv("RIDGELINE_SEED");
     if (s) *seed = strtoull(s, NULL, 0);
@@ -82,6 +87,8 @@ int cases_random_surfaces(const char *name, uint64_t first, uint64_t count, int 
         if (only < first || only >= first + 1000000000) return 0;
         first = only;
         count = 1;
+    } else {
+        first = cases_first(first, count);
     }
     for (uint64_t seed = first; seed < first + count && failed < 20; seed++) {
         scene_t s;

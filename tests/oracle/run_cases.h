@@ -21,6 +21,8 @@ typedef struct cases {
 
 /* RIDGELINE_CASES multiplies how many cases are tried (default 1, may be a fraction). */
 uint64_t cases_scaled(uint64_t n);
+/* The seed to begin with: `first`, or after RIDGELINE_ROUND (default 0) times `count` others, for `make soak`. */
+uint64_t cases_first(uint64_t first, uint64_t count);
 /* RIDGELINE_SEED, if set, is the one seed to try: returns true and puts it into *seed. */
 bool cases_only_seed(uint64_t *seed);
 /* Is the drawing within the limits? */

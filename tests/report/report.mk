@@ -14,4 +14,12 @@ $(BUILDDIR)/report/%: $(BUILDDIR)/obj/tests/report/%.o $(REPORT_LIB) $(BUILDDIR)
 report: host $(REPORTS) ## write docs/report: speed against error, hard cases, the papers' experiments
 	$(Q)sh tests/report/report.sh $(BUILDDIR) $(REPORT_DIR)
 .PHONY: report
+# tests/cli/test_report.sh runs it.
+test-run test-cli: $(BUILDDIR)/report/report_error
+
+SOAK_MINUTES ?= 10
+SOAK_TESTS := $(addprefix $(BUILDDIR)/tests/property/,test_perimeter_random test_holes_random test_horizon_random)
+soak: $(SOAK_TESTS) ## random scenes and laws against the reference, new seeds every round, for SOAK_MINUTES (10)
+	$(Q)sh tests/report/soak.sh $(SOAK_MINUTES) $(SOAK_TESTS)
+.PHONY: soak
 $(BUILDDIR)/obj/tests/report/report_hard.o: CPPFLAGS += $(HOST_CFLAGS)

@@ -48,6 +48,19 @@ costs() {
     for section in formats hard needs papers; do
         if [ -x "$bin/report_$section" ]; then "$bin/report_$section" "$out"; fi
     done
+    echo
+    echo '![error over bits and families](landscape.svg)'
+    echo
+    echo "Drawn by Ridgeline from its own report: the perimeter's longest missing or false run, a power of ten for each unit"
+    echo 'of height, over bits below a step (from the left: 0, 2, 4, 6, 8, 12, 15) and families of scenes.'
 } >"$tmp/README.md"
+"$1/host/ridgeline" plot tests/report/figure1.gp -o "$out/figure1.svg"
+# One row a family, one column a number of bits: powers of ten of the worst run, down to a thousandth of a step.
+awk -F '\t' '$1 == "perimeter" { worst = $7 > $8 ? $7 : $8; z = log(worst > .001 ? worst : .001) / log(10)
+    if (!($2 in row)) order[++rows] = $2
+    row[$2] = row[$2] " " sprintf("%.3f", z) }
+    END { for (i = 1; i <= rows; i++) print row[order[i]] }' "$out/lattice.tsv" >"$tmp/landscape.dat"
+printf 'set view 60,50\nsplot "%s" matrix with lines\n' "$tmp/landscape.dat" >"$tmp/landscape.gp"
+"$1/host/ridgeline" plot "$tmp/landscape.gp" -o "$out/landscape.svg"
 mv "$tmp/README.md" "$out/README.md"
 echo "$out/README.md"

@@ -1,0 +1,31 @@
+#!/bin/sh
+# soak.sh MINUTES PROGRAM... - runs property tests in rounds, each with seeds of its own, until the time is over. Ends with
+# the number of scenes tried. A failure prints the command that repeats it, and ends the soak. RIDGELINE_CASES (10) says
+# how many times as many cases a round has as `make test`, ROUND with which round to begin.
+end=$(($(date +%s) + $1 * 60))
+shift
+RIDGELINE_CASES=${RIDGELINE_CASES:-10}
+export RIDGELINE_CASES
+round=${ROUND:-1}
+scenes=0
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT INT TERM
+while [ "$(date +%s)" -lt "$end" ]; do
+    for t in "$@"; do
+        left=$((end - $(date +%s)))
+        [ $left -gt 0 ] || break
+        # The last program is ended in the middle: what it has found by then is in its output.
+        RIDGELINE_ROUND=$round timeout "$left" "$t" >"$log" 2>&1
+        rc=$?
+        if [ $rc -ne 124 ] && [ $rc -ne 0 ] || grep -q FAILED "$log"; then
+            cat "$log"
+            echo "failed in round $round: RIDGELINE_CASES=$RIDGELINE_CASES RIDGELINE_ROUND=$round $t"
+            exit 1
+        fi
+        n=$(sed -n 's/^# .*: \([0-9]*\) scenes.*/\1/p' "$log" | awk '{ s += $1 } END { print s + 0 }')
+        scenes=$((scenes + n))
+        echo "round $round, ${t##*/}: $n scenes, $scenes in all"
+    done
+    round=$((round + 1))
+done
+echo "$scenes scenes, none failed"
