@@ -64,6 +64,7 @@ void page_view_aim(page_view_t *v, const surface_ref_t *r, const double to[3]) {
                 hi[k] = fmax(hi[k], fmin(widest, q));
             }
         }
+    if (lo[0] > hi[0]) lo[0] = lo[1] = hi[0] = hi[1] = 0; /* no point is defined */
     double wide = fmax(hi[0] - lo[0], 1e-300), high = fmax(hi[1] - lo[1], 1e-300);
     double scale = fmin((PAGE_W - 2 * MARGIN) / wide, (PAGE_H - 2 * MARGIN) / high);
     for (int i = 0; i < 4; i++) {
