@@ -104,7 +104,7 @@ test: ## install what is missing, build and run every test; ends with `N passed,
 	$(Q)sh .ci/deps.sh host test
 	+$(Q)$(again) test-run
 test-run: host $(TESTS) $(FUZZERS)
-	$(Q)$(RUN_TESTS) $(TESTS) $(CLI_TESTS) $(FUZZERS)
+	$(Q)$(RUN_TESTS) $(TESTS) $(CLI_TESTS) $(GPIO_RUN) $(FUZZERS)
 
 define test_folder
 .PHONY: test-$1
@@ -146,7 +146,7 @@ VALGRIND_TESTS = $(filter-out %/test_func %/test_func_tables %/test_num %/test_w
 valgrind: host $(TESTS) ## the unit tests and the demo scenes under valgrind
 	$(Q)sh .ci/valgrind.sh $(RIDGELINE) $(VALGRIND_TESTS)
 
-SOURCES := $(sort $(wildcard src/*.[ch] src/*/*.[ch] sim/*.[ch] host/*.[ch] hal/*.[ch] tests/*/*.[ch]))
+SOURCES := $(sort $(wildcard src/*.[ch] src/*/*.[ch] sim/*.[ch] host/*.[ch] hal/*.[ch] hal/linux/*.[ch] tests/*/*.[ch]))
 check: fmt-check ## both compilers without a warning, static analysis, forbidden symbols on the smallest chip
 	$(Q)BUILDDIR=$(BUILDDIR) MAKE=$(MAKE) sh .ci/check.sh
 fmt: ## format every source
@@ -154,6 +154,7 @@ fmt: ## format every source
 fmt-check:
 	$(Q)clang-format --dry-run -Werror $(SOURCES)
 
+include hal/linux/linux.mk tests/gpio/gpio.mk
 -include $(wildcard tests/bench/*.mk tests/report/*.mk)
 
 clean: ## remove what was built

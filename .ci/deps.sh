@@ -4,7 +4,7 @@
 packages() {
     case $1 in
     host) echo gcc libc6-dev pkg-config libcairo2-dev libedit-dev ;;
-    test) echo libcmocka-dev libmpfr-dev libgmp-dev clang libclang-rt-dev gnuplot-nox gnuplot-doc ;;
+    test) echo libcmocka-dev libmpfr-dev libgmp-dev clang libclang-rt-dev gnuplot-nox gnuplot-doc libgpiod-dev gpiod ;;
     check) echo clang-format clang-tidy cppcheck valgrind gcc-arm-none-eabi libnewlib-arm-none-eabi ;;
     bench) echo gnuplot-nox plplot-driver-cairo libplplot-dev ;;
     *) echo "deps.sh: unknown group $1" >&2; exit 2 ;;

@@ -142,6 +142,11 @@ static int draw_page(job_t *job, const plot_t *plot, char **name) {
     r.write_s = progress_now() - start;
     if (job->announce)
         for (int i = 0; i < job->outputs; i++) fprintf(job->announce, "%s\n", name[i]);
+    if (job->gpio.pins) {
+        progress_wipe();
+        job->status = gpio_plot(&job->gpio, job->pages, &settings->machine, d);
+        if (job->status) return job->trouble = ERR_STOPPED;
+    }
 
     if (!job->table && !job->stats) return 0;
     read_watch(&watch, &r);

@@ -8,6 +8,7 @@
 #include <stdio.h>
 
 #include "host/drawing.h"
+#include "host/gpio.h"
 #include "host/report.h"
 
 #define JOB_LENT_MAX ((size_t)4 << 30)
@@ -22,10 +23,12 @@ typedef struct job {
     FILE *table;       /* rows go here, or NULL */
     FILE *stats;       /* JSON goes here, or NULL: report_json_begin has been called */
     FILE *announce;    /* says which files were written, or NULL */
+    gpio_t gpio;       /* where pages are drawn with a pen, after their files are written */
     size_t data_bytes; /* held for data files while this page is drawn */
     /* Its own: */
     int pages;   /* drawn so far */
     int trouble; /* an error that is not the input's and has been said: a file that cannot be written, no memory */
+    int status;  /* what the machine on gpio lines ended with, if not 0: the exit status */
     drawing_t drawing;
     void *lent;
     size_t lent_bytes;

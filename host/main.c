@@ -4,6 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "host/gpio.h"
 #include "host/job.h"
 #include "host/options.h"
 #include "host/prompt.h"
@@ -15,6 +16,7 @@ static void configure(job_t *job, const options_t *o) {
     job_init(job);
     memcpy(job->output, o->output, sizeof job->output);
     job->outputs = o->outputs;
+    job->gpio = o->gpio;
     if (o->verbose) job->table = stdout;
 }
 
@@ -95,6 +97,7 @@ static int prompt_main(options_t *o) {
 
 int main(int argc, char **argv) {
     if (argc > 1 && strcmp(argv[1], "trace") == 0) return trace_main(argc - 1, argv + 1);
+    if (argc > 1 && gpio_is_command(argv[1])) return gpio_main(argc - 1, argv + 1);
     bool plot = argc > 1 && strcmp(argv[1], "plot") == 0;
     options_t options;
     if (!options_parse(&options, argc - plot, argv + plot)) return SCRIPT_BAD_INPUT;

@@ -23,7 +23,11 @@ void options_help(void) {
           "  --set 'COMMAND'     run a command before the scene, for example --set 'set paper a3'\n"
           "  --stats FILE.json   write what each page took: times, lengths, memory\n"
           "  -v, --verbose       print the same as a table\n"
+          "  --hal gpio --pins FILE\n"
+          "                      draw it: on the machine at this board's gpio lines (docs/LINUX.md)\n"
+          "  --dry-run           with --hal: check the pins, say what would happen and how long it takes\n"
           "\n"
+          "jog, home, pen and off set up a machine at gpio lines; `ridgeline off --help` tells more.\n"
           "trace judges a step trace, or compares two; see ridgeline trace --help.\n"
           "\n"
           "Without a command, ridgeline prompts for commands. Plots go to plot.svg, or to the files of -o,\n"
@@ -50,16 +54,15 @@ static bool add_output(options_t *o, const char *name) {
 
 bool options_parse(options_t *o, int argc, char **argv) {
     static const struct option LONG[] = {
-        {"output", required_argument, NULL, 'o'},
-        {"set", required_argument, NULL, 's'},
-        {"stats", required_argument, NULL, 'j'},
-        {"verbose", no_argument, NULL, 'v'},
-        {"help", no_argument, NULL, 'h'},
-        {"version", no_argument, NULL, 'V'},
-        {NULL, 0, NULL, 0},
+        {"output", required_argument, NULL, 'o'}, {"set", required_argument, NULL, 's'},
+        {"stats", required_argument, NULL, 'j'},  {"hal", required_argument, NULL, 'H'},
+        {"pins", required_argument, NULL, 'p'},   {"dry-run", no_argument, NULL, 'n'},
+        {"verbose", no_argument, NULL, 'v'},      {"help", no_argument, NULL, 'h'},
+        {"version", no_argument, NULL, 'V'},      {NULL, 0, NULL, 0},
     };
     memset(o, 0, sizeof *o);
     opterr = 0;
+    const char *hal = NULL;
     int c;
     while ((c = getopt_long(argc, argv, ":o:vh", LONG, NULL)) != -1) {
         switch (c) {
@@ -72,6 +75,15 @@ bool options_parse(options_t *o, int argc, char **argv) {
             break;
         case 'j':
             o->stats = optarg;
+            break;
+        case 'H':
+            hal = optarg;
+            break;
+        case 'p':
+            o->gpio.pins = optarg;
+            break;
+        case 'n':
+            o->gpio.dry_run = true;
             break;
         case 'v':
             o->verbose = true;
@@ -88,6 +100,9 @@ bool options_parse(options_t *o, int argc, char **argv) {
             return complain("unknown option ", argv[optind - 1]);
         }
     }
+    if (hal && strcmp(hal, "gpio") != 0) return complain("--hal can only be gpio, not ", hal);
+    if (hal && !o->gpio.pins) return complain("--hal gpio needs a pin file: --pins FILE", "");
+    if (!hal && (o->gpio.pins || o->gpio.dry_run)) return complain("--pins and --dry-run go with --hal gpio", "");
     if (optind < argc) o->scene = argv[optind++];
     if (optind < argc) return complain("one scene at a time, please: ", argv[optind]);
     return true;

@@ -15,6 +15,7 @@ typedef struct options {
     const char *set[OPTIONS_SETS_MAX]; /* commands to run first */
     int sets;
     const char *stats; /* file for JSON or NULL */
+    gpio_t gpio;
     bool verbose, help, version;
 } options_t;
 

@@ -5,31 +5,21 @@
 #include <stdlib.h>
 
 #include "error.h"
+#include "host/play.h"
 #include "host/progress.h"
 #include "sim/sim.h"
 #include "sim/vcd.h"
 
 static uint64_t memory[(MOTION_BYTES_HOST + 7) / 8];
 
-/* Feeds every stroke and brings the pen home, also after an error. */
-static int play(const drawing_t *d, motion_t *motion, motion_stats_t *stats) {
-    pen_sink_t pen = motion_pen_sink(motion);
-    int err = 0;
-    for (size_t s = 0; s < d->strokes && !err; s++) {
-        size_t n;
-        const page_point_t *p = drawing_stroke(d, s, &n);
-        progress_update("running the plotter", (int64_t)s, (int64_t)d->strokes);
-        err = pen.move(pen.ctx, p[0]);
-        for (size_t i = 1; i < n && !err; i++) err = pen.draw(pen.ctx, p[i]);
-    }
-    int finish = motion_finish(motion, stats);
-    return err ? err : finish;
+static void show(size_t stroke, size_t strokes) {
+    progress_update("running the plotter", (int64_t)stroke, (int64_t)strokes);
 }
 
 int plotter_estimate(const drawing_t *d, const machine_t *machine, motion_stats_t *stats) {
     motion_t motion;
     int err = motion_init_estimate(&motion, machine, memory, sizeof memory);
-    return err ? err : play(d, &motion, stats);
+    return err ? err : play(d, &motion, show, stats);
 }
 
 int plotter_write_vcd(const drawing_t *d, const machine_t *machine, const char *path) {
@@ -43,7 +33,7 @@ int plotter_write_vcd(const drawing_t *d, const machine_t *machine, const char *
     if (!err) {
         vcd_begin(&vcd, vcd_write_file, f, machine, d->title[0] ? d->title : NULL, sim_pins());
         sim_record(vcd_record, &vcd);
-        err = play(d, &motion, NULL);
+        err = play(d, &motion, show, NULL);
         int written = vcd_end(&vcd, sim_now());
         sim_record(NULL, NULL);
         if (!err) err = written;

@@ -130,6 +130,9 @@ int script_line(const char *text) {
 void script_cancel(void) {
     session_cancel(&script.session);
 }
+const settings_t *script_settings(void) {
+    return session_settings(&script.session);
+}
 enum session_state script_state(void) {
     return session_state(&script.session);
 }
@@ -164,6 +167,7 @@ int script_file(FILE *f, const char *name) {
 
 int script_status(int err) {
     if (!err) return SCRIPT_DONE;
+    if (script.job->status) return script.job->status;
     if (script.job->trouble) return SCRIPT_TROUBLE;
     return err == ERR_MACHINE || err == ERR_STOPPED ? SCRIPT_TROUBLE : SCRIPT_BAD_INPUT;
 }

@@ -23,6 +23,8 @@ int script_line(const char *text);
 /* Forgets a line to be continued, and inline data. */
 void script_cancel(void);
 enum session_state script_state(void);
+/* What `set` has set so far. */
+const settings_t *script_settings(void);
 /* All lines of f, called `name`. Stops at the first error or at `quit`. 0 or the error. */
 int script_file(FILE *f, const char *name);
 /* The exit status that an error of the above means: the input's fault unless the job ran into trouble. */

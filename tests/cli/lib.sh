@@ -1,5 +1,5 @@
 # lib.sh - for tests of the program from outside. A test is a shell function: it fails when one of its commands does. run_tests
-# runs each in an empty folder ($PWD then), and prints what cmocka would.
+# runs each in an empty folder ($PWD then), and prints what cmocka would, and its lines that begin with `# `.
 root=$PWD
 case ${RIDGELINE:=build/host/ridgeline} in /*) ;; *) RIDGELINE=$root/$RIDGELINE ;; esac
 scenes=$root/tests/scenes
@@ -39,6 +39,7 @@ run_tests() {
         rc=$?
         if [ $rc -eq 0 ]; then
             echo "[       OK ] $t"
+            grep '^# ' "$folder.log"
         else
             cat "$folder.log"
             echo "[  FAILED  ] $t"
