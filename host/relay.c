@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "error.h"
-#include "host/version.h"
+#include "version.h"
 
 typedef struct head {
     char magic[32];

@@ -4,13 +4,17 @@
 #include "hal/linux/port.h"
 
 #include <errno.h>
+#include <sched.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+
+#define PRIORITY 60 /* above the child's */
 
 static volatile sig_atomic_t signals;
 
@@ -73,6 +77,10 @@ int guard_run(int (*step)(void *ctx), void *ctx, int *killed) {
     }
     if (child == 0) _exit(be_child(parent, &watched, step, ctx));
 
+    /* Where it is permitted, as the child has said: to be awake before anybody else when it dies. */
+    struct sched_param priority = {.sched_priority = PRIORITY};
+    sched_setscheduler(0, SCHED_FIFO, &priority);
+    mlockall(MCL_CURRENT);
     int status = 0, asked = watch(child, &watched, &status);
     int err = port_safe();
     if (err) fprintf(stderr, "ridgeline: the lines cannot be set (%s): cut the motors' power\n", strerror(-err));

@@ -54,6 +54,11 @@ static int64_t ticks_at(int64_t ns) {
     return (ns - s.base_ns) * 2 / 125;
 }
 
+/* When the armed deadline is. */
+static int64_t due_ns(void) {
+    return s.base_ns + s.deadline * 125 / 2;
+}
+
 static void trouble(enum port_trouble what, int error) {
     if (s.trouble) return;
     s.trouble = what;
@@ -167,7 +172,8 @@ static void count_steps(uint32_t pins, uint32_t rising) {
 void hal_pins_write(uint32_t mask, uint32_t value) {
     uint32_t was = s.counts->pins, pins = (was & ~mask) | (value & mask);
     if (pins == was) return;
-    int64_t begin = now_ns();
+    /* Counted from the deadline: the process may have been stopped between that and the write too. */
+    int64_t begin = s.serving ? due_ns() : now_ns();
     int err = lines_out_write(s.out, s.levels[pins]);
     int64_t took = now_ns() - begin;
     if (err) {
@@ -269,9 +275,9 @@ static void rest_if_due(int64_t now) {
 
 /* Until shortly before the deadline asleep, with a look at the switches now and then; the rest spinning. False when
  * something else must be seen to first. */
-static bool wait_until(int64_t due_ns) {
-    for (int64_t now = now_ns(); due_ns - now > PORT_TAIL_NS; now = now_ns()) {
-        int64_t wake = due_ns - PORT_TAIL_NS;
+static bool wait_until(int64_t due) {
+    for (int64_t now = now_ns(); due - now > PORT_TAIL_NS; now = now_ns()) {
+        int64_t wake = due - PORT_TAIL_NS;
         if (!sleep_until(wake - now > PORT_SLICE_NS ? now + PORT_SLICE_NS : wake)) return false;
         look_at_switches();
         if (s.trouble || s.hits) return false;
@@ -279,7 +285,7 @@ static bool wait_until(int64_t due_ns) {
     if (s.throttled && !(s.counts->pins & STEPS)) rest_if_due(now_ns());
     look_at_switches();
     if (s.trouble || s.hits) return false;
-    while (now_ns() < due_ns) continue;
+    while (now_ns() < due) continue;
     return true;
 }
 
@@ -297,9 +303,8 @@ void hal_idle(void) {
         look_at_switches();
         return;
     }
-    int64_t due_ns = s.base_ns + s.deadline * 125 / 2;
-    if (!wait_until(due_ns)) return;
-    count_late(now_ns() - due_ns);
+    if (!wait_until(due_ns())) return;
+    count_late(now_ns() - due_ns());
     s.armed = false;
     s.serving = true;
     stepgen_isr();

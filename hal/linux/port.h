@@ -35,7 +35,7 @@ typedef struct port_counts {
     uint64_t rests;         /* sleeps taken for the sake of throttling, in which a deadline may have passed */
     int64_t worst_ns;       /* the latest of all */
     int64_t shifted_ns;     /* how far the time base moved in all */
-    int64_t worst_write_ns; /* the slowest system call */
+    int64_t worst_write_ns; /* longest from a deadline to the end of its write */
     uint32_t pins;          /* pin word as last written */
 } port_counts_t;
 

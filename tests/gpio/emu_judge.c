@@ -65,9 +65,10 @@ static int compare(const trace_t *t, const event_t *e, size_t count, bool prefix
         if (excess > most) most = excess;
         sum += excess;
     }
-    printf(
-        "# %zu writes as the simulator's; intervals %.1f us shorter to %.1f us longer than planned, %.3f ms in all\n",
-        same, -least, most, sum * 1e-3);
+    if (!prefix)
+        printf("# %zu writes as the simulator's; intervals %.1f us shorter to %.1f us longer than planned, %.3f ms in "
+               "all\n",
+               same, -least, most, sum * 1e-3);
     if (-least > GRACE_US) {
         printf("an interval is too short\n");
         return 1;
