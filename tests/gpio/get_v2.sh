@@ -23,5 +23,5 @@ for package in *.deb; do dpkg-deb -x "$package" root; done
 rm -rf apt ./*.deb
 lib=$folder/root/usr/lib/$(gcc -print-multiarch)
 cat >env <<END
-export PKG_CONFIG_SYSROOT_DIR=$folder/root PKG_CONFIG_LIBDIR=$lib/pkgconfig GPIO_LDFLAGS=-Wl,-rpath,$lib
+export GPIO_PKG_CONFIG='env PKG_CONFIG_SYSROOT_DIR=$folder/root PKG_CONFIG_LIBDIR=$lib/pkgconfig pkg-config' GPIO_LDFLAGS=-Wl,-rpath,$lib
 END
