@@ -84,15 +84,6 @@ static inline int32_t along(int32_t x, int32_t d, int32_t t_q30) {
     return x + (int32_t)(((int64_t)d * t_q30 + (1 << 29)) >> 30);
 }
 
-/* The ordinate at abscissa a of the line p-q, p.a <= a <= q.a, p.a < q.a. */
-static int32_t ordinate(pencil_t p, pencil_t q, int32_t a) {
-    if (a == p.a) return p.w;
-    if (a == q.a) return q.w;
-    uint32_t rise = (uint32_t)pencil_abs(q.w - p.w), run = (uint32_t)(q.a - p.a);
-    int32_t part = (int32_t)(((uint64_t)rise * (uint32_t)(a - p.a) + run / 2) / run);
-    return q.w < p.w ? p.w - part : p.w + part;
-}
-
 /* Where x lies on the edge p-q, measured along its longer side. */
 int32_t envelope_fraction_at(pencil_t p, pencil_t q, pencil_t x) {
     int32_t run = q.a - p.a, rise = q.w - p.w;
@@ -151,7 +142,7 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
     if (err != 0) return err;
     pencil_t v = h->l[-1]; /* start of the current piece; v.a <= the current abscissa */
     if (v.a == p.a ? envelope_below(p, q, v, count) : envelope_above(v, *h->r, p, count)) {
-        if (v.a < p.a) push(h, p.a, ordinate(v, *h->r, p.a));
+        if (v.a < p.a) push(h, p.a, pencil_ordinate(v, *h->r, p.a));
         push(h, p.a, p.w);
         begin(&c, 0);
     }
@@ -175,7 +166,7 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
         if (last) {
             if (c.visible) {
                 push(h, q.a, q.w);
-                push(h, q.a, ordinate(v, w, q.a));
+                push(h, q.a, pencil_ordinate(v, w, q.a));
                 if ((err = finish(&c, ONE_Q30, take, ctx)) != 0) return err;
             }
             break;
@@ -190,11 +181,11 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
             above = (c.visible || w.a < q.a) && envelope_below(p, q, far, count);
             const bool floor = far.w == ENVELOPE_FLOOR;
             if (above && c.visible && floor != c.first) { /* onto the floor or off it */
-                int32_t at = envelope_fraction_at(p, q, (pencil_t){w.a, ordinate(p, q, w.a)});
+                int32_t at = envelope_fraction_at(p, q, (pencil_t){w.a, pencil_ordinate(p, q, w.a)});
                 if ((err = finish(&c, at, take, ctx)) != 0) return err;
                 begin(&c, at);
             } else if (above != c.visible) {
-                pencil_t x = {w.a, ordinate(p, q, w.a)};
+                pencil_t x = {w.a, pencil_ordinate(p, q, w.a)};
                 int32_t at = envelope_fraction_at(p, q, x);
                 push(h, x.a, x.w);
                 if (c.visible) {
@@ -223,10 +214,10 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
 
 int32_t envelope_height(envelope_t *h, int32_t a_lo, int32_t a_hi) {
     envelope_seek(h, a_lo - 1);
-    int32_t top = ordinate(h->l[-1], *h->r, a_lo);
+    int32_t top = pencil_ordinate(h->l[-1], *h->r, a_lo);
     const pencil_t *p = h->r;
     for (; p->a <= a_hi; p++) top = pencil_max(top, p->w);
     const pencil_t *before = p == h->r ? h->l - 1 : p - 1;
-    if (before->a < a_hi) top = pencil_max(top, ordinate(*before, *p, a_hi));
+    if (before->a < a_hi) top = pencil_max(top, pencil_ordinate(*before, *p, a_hi));
     return top;
 }

@@ -33,4 +33,13 @@ static inline uint32_t pencil_fraction(uint64_t num, uint64_t den) {
     return den == 0 ? 0 : (uint32_t)((num << 30) / den); /* num < 2^32 */
 }
 
+/* The ordinate at abscissa a of the line p-q, to nearest; p.a <= a <= q.a. One division unless a is at an end. */
+static inline int32_t pencil_ordinate(pencil_t p, pencil_t q, int32_t a) {
+    if (a == p.a || p.w == q.w) return p.w;
+    if (a == q.a) return q.w;
+    const uint32_t run = (uint32_t)(q.a - p.a), rise = (uint32_t)pencil_abs(q.w - p.w);
+    const int32_t part = (int32_t)(((uint64_t)rise * (uint32_t)(a - p.a) + run / 2) / run);
+    return q.w < p.w ? p.w - part : p.w + part;
+}
+
 #endif
