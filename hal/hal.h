@@ -24,6 +24,9 @@ enum hal_pin {
 
 /* Sets the pins in mask to the bits of value, all at once where the hardware can. */
 void hal_pins_write(uint32_t mask, uint32_t value);
+/* Wiring that differs from the board's: these pins and inputs (enum hal_input) are turned round from now on. At rest
+ * only; the pins are written anew. */
+void hal_invert(uint32_t pins, uint32_t inputs);
 uint32_t hal_now(void);
 /* Calls stepgen_isr() at absolute tick `at`; a tick in the past is served at once and counted as late. */
 void hal_timer_arm(uint32_t at);

@@ -90,4 +90,24 @@ _Static_assert(CONFIG_DATA_COLUMNS < 64, "data_reader keeps one bit per column i
 #define CONFIG_JOURNAL 2048
 #endif
 
+/* A board's memory block (console.h) and what the machine's queue takes of it: blocks of look-ahead, pieces. */
+#ifndef CONFIG_BOARD_BYTES
+#define CONFIG_BOARD_BYTES 131072
+#endif
+#ifndef CONFIG_MOTION_BLOCKS
+#define CONFIG_MOTION_BLOCKS 128
+#endif
+#ifndef CONFIG_MOTION_PIECES
+#define CONFIG_MOTION_PIECES 64
+#endif
+
+/* Width of a step pulse and how long DIR stands before it, by default (ns). What the drivers need, and not less than
+ * what the chip's interrupt can keep. */
+#ifndef CONFIG_PULSE_NS
+#define CONFIG_PULSE_NS 2000
+#endif
+#ifndef CONFIG_DIR_SETUP_NS
+#define CONFIG_DIR_SETUP_NS 1000
+#endif
+
 #endif

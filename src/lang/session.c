@@ -7,7 +7,7 @@
 #include "lang/session_parts.h"
 
 session_frame_t *session_top(session_t *s) {
-    return &s->frame[s->frames - 1];
+    return &s->frame[CONFIG_LOAD_DEPTH ? s->frames - 1 : 0];
 }
 
 static void forget_line(session_frame_t *f) {

@@ -1,6 +1,8 @@
 /* machine.c - the plotter we assume when nothing is said. */
 #include "motion/machine.h"
 
+#include "config.h"
+
 void machine_default(machine_t *m) {
     *m = (machine_t){
         .steps_per_mm_q16 = {80u << 16, 80u << 16},
@@ -11,8 +13,8 @@ void machine_default(machine_t *m) {
         .lift_us = 100000,
         .lower_us = 100000,
         .enable_us = 1000,
-        .dir_setup_ns = 1000,
-        .pulse_ns = 2000,
+        .dir_setup_ns = CONFIG_DIR_SETUP_NS,
+        .pulse_ns = CONFIG_PULSE_NS,
         .kinematics = MACHINE_CARTESIAN,
     };
 }

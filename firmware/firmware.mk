@@ -1,0 +1,47 @@
+# firmware.mk - images of the boards, included by the Makefile.
+include firmware/boards.mk
+
+CROSS    ?= arm-none-eabi-
+FWDIR    := $(BUILDDIR)/firmware
+FW_CFLAGS := -std=c11 -mthumb -ffreestanding -ffunction-sections -fdata-sections -g $(WARN) -fstack-usage -fcallgraph-info=su -MMD -MP
+FW_LDFLAGS := -mthumb -nostartfiles --specs=nano.specs -Wl,--gc-sections -Wl,--fatal-warnings -Llinker
+FW_SRC   := $(wildcard firmware/*.c) $(CORE_SRC)
+
+.PHONY: firmware firmware-run flash-pico
+firmware: ## build the images of all boards; prints flash, RAM and worst stack
+	$(Q)sh .ci/deps.sh firmware
+	+$(Q)$(again) firmware-run
+
+define board
+FW_OBJ_$1 := $$(patsubst %,$(FWDIR)/$1/%.o,$$(basename $$(FW_SRC) $$(wildcard hal/port/*.c hal/$1/*.c hal/$1/*.S)))
+$(FWDIR)/$1/%.o: %.c firmware/boards.mk
+	@mkdir -p $$(@D)
+	$$(call say,CC,$1 $$<)
+	$$(Q)$(CROSS)gcc -Isrc -I. -Ihal/$1 $$(CPU_$1) $$(OPT_$1) $$(addprefix -D,$$(CONFIG_$1)) $(FW_CFLAGS) -c $$< -o $$@
+$(FWDIR)/$1/%.o: %.S
+	@mkdir -p $$(@D)
+	$$(Q)$(CROSS)gcc $$(CPU_$1) -mthumb -c $$< -o $$@
+$(FWDIR)/$1.elf: $$(FW_OBJ_$1) linker/$1.ld linker/sections.ld
+	$$(call say,LD,$$@)
+	$$(Q)$(CROSS)gcc $$(CPU_$1) $(FW_LDFLAGS) -T linker/$1.ld -Wl,-Map=$$(@:.elf=.map) $$(FW_OBJ_$1) -o $$@
+endef
+$(foreach b,$(BOARDS),$(eval $(call board,$b)))
+IMAGES := $(BOARDS:%=$(FWDIR)/%.elf) $(FWDIR)/rp2040.bin
+
+# The step interrupt is worth its bytes on the smallest part, too.
+$(FWDIR)/nrf51/src/motion/stepgen.o $(FWDIR)/nrf51/hal/port/ahead.o: OPT_nrf51 := -O2
+
+$(FWDIR)/uf2: firmware/tools/uf2.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) -O2 -Wall -Wextra $< -o $@
+$(FWDIR)/rp2040.bin: $(FWDIR)/rp2040.elf $(FWDIR)/uf2
+	$(Q)$(CROSS)objcopy -O binary $< $@.raw
+	$(Q)$(FWDIR)/uf2 $@.raw $@ $(@:.bin=.uf2)
+
+firmware-run: $(IMAGES)
+	$(Q)CROSS=$(CROSS) sh firmware/tools/sizes.sh $(FWDIR) $(BOARDS)
+
+flash-pico: ## how to bring the image onto a Raspberry Pi Pico
+	+$(Q)$(MAKE) --no-print-directory $(FWDIR)/rp2040.bin
+	@echo 'Hold BOOTSEL while plugging the Pico in, then copy $(FWDIR)/rp2040.uf2 to the drive RPI-RP2.'
+	@echo 'It restarts by itself; the console is on GP0 (out) and GP1 (in), 115200 8N1.'

@@ -1,0 +1,12 @@
+#!/bin/sh
+# sizes.sh DIR BOARD... - flash, RAM and the deepest stack of each image. RAM is static data; the stack has what is left.
+dir=$1
+shift
+printf '%-10s %10s %10s %12s %12s\n' board 'flash' 'RAM' 'stack room' 'worst stack'
+for board in "$@"; do
+    set -- $("${CROSS}size" "$dir/$board.elf" | tail -1)
+    room=$("${CROSS}nm" "$dir/$board.elf" | awk '$3 == "_stack_top" { t = $1 } $3 == "_stack_bottom" { b = $1 } END { print t, b }')
+    room=$((0x${room% *} - 0x${room#* }))
+    worst=$(find "$dir/$board" -name '*.ci' | sort | xargs awk -f firmware/tools/stack.awk | cut -d' ' -f1)
+    printf '%-10s %10d %10d %12d %12d\n' "$board" $(($1 + $2)) $(($2 + $3)) "$room" "$worst"
+done

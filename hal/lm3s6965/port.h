@@ -1,0 +1,62 @@
+/* port.h - what ahead.h asks of this port, and the interrupts for its vector table. */
+#ifndef PORT_H
+#define PORT_H
+
+#include "hal/hal.h"
+#include "hal/lm3s6965/regs.h"
+
+#define AHEAD_ENTRY 24
+#define AHEAD_COST 72
+#define AHEAD_SLACK 48
+#define AHEAD_MERGE 8
+
+enum { PORT_IRQ_SWITCHES = 4 /* GPIO port E */, PORT_IRQ_UART = 5, PORT_IRQ_TIMER = 19 /* GPTM 0A */ };
+
+void port_systick_isr(void);
+void port_switches_isr(void);
+void port_uart_isr(void);
+void port_timer_isr(void);
+/* An exception that cannot be: pen up, motors off, stop. */
+void port_panic(void);
+
+typedef struct port_state {
+    uint32_t ticks, part; /* clock at systick, and 1/25 ticks */
+    uint32_t systick;
+    uint32_t invert; /* pins that are active low */
+} port_state_t;
+extern port_state_t port;
+
+static inline uint32_t port_now(void) {
+    uint32_t at = SYST_CVR;
+    uint32_t sum = port.part + ((port.systick - at) & 0xffffffu) * 8;
+    uint32_t whole = sum / 25;
+    port.systick = at;
+    port.part = sum - whole * 25;
+    return port.ticks += whole;
+}
+
+/* From the last port_now on, without its division. */
+static inline uint32_t port_wait(uint32_t at) {
+    int32_t in = (int32_t)(at - port.ticks);
+    uint32_t cycles = (uint32_t)in * 25 >> 3, from = port.systick;
+    if (in <= 0 || ((from - SYST_CVR) & 0xffffffu) >= cycles) return port_now();
+    while (((from - SYST_CVR) & 0xffffffu) < cycles) continue;
+    return at;
+}
+
+static inline void port_alarm(uint32_t at) {
+    TIMER0_CTL = 0;
+    int32_t in = (int32_t)(at - port_now());
+    if (in <= 0) {
+        irq_pend(PORT_IRQ_TIMER);
+    } else {
+        TIMER0_TAILR = (uint32_t)(((uint64_t)(uint32_t)in * 25) >> 3);
+        TIMER0_CTL = 1;
+    }
+}
+
+static inline void port_pins(uint32_t mask, uint32_t value) {
+    GPIO_DATA(GPIOB, mask) = value ^ port.invert;
+}
+
+#endif

@@ -1,0 +1,62 @@
+/* port.h - what ahead.h asks of this port, and the interrupts for its vector table.
+ *
+ * Pins: GP2 step X, GP3 dir X, GP4 step Y, GP5 dir Y, GP6 pen, GP7 motors off (the drivers' /ENABLE); inputs GP10 limit
+ * X, GP11 limit Y, GP12 start, GP13 emergency stop; GP0, GP1 console. The pin word is the chip's, shifted by FIRST_PIN.
+ *
+ * Clock: PWM slice 7 counts clk_sys / (7 + 13/16) = 16 MHz in 16 bits, TIMER (same crystal) tells which 4 ms.
+ * Alarm: TIMER alarm 1, up to a microsecond early. */
+#ifndef PORT_H
+#define PORT_H
+
+#include "hal/hal.h"
+#include "hal/rp2040/regs.h"
+
+#define AHEAD_ENTRY 28
+#define AHEAD_COST 72
+#define AHEAD_SLACK 48
+#define AHEAD_MERGE 6
+
+#define FIRST_PIN 2
+#define CLOCK_SLICE 7
+
+enum { PORT_IRQ_WAKE = 0 /* TIMER alarm 0 */, PORT_IRQ_TIMER = 1, PORT_IRQ_SWITCHES = 13, PORT_IRQ_UART = 20 };
+
+void port_timer_isr(void);
+void port_wake_isr(void);
+void port_switches_isr(void);
+void port_uart_isr(void);
+/* An exception that cannot be: pen up, motors off, stop. */
+void port_panic(void);
+
+typedef struct port_state {
+    uint16_t phase;  /* of the counter against TIMER */
+    uint32_t invert; /* pins that are active low */
+} port_state_t;
+extern port_state_t port;
+
+static inline uint32_t port_now(void) {
+    uint32_t coarse = TIMER_RAWL * 16;
+    return coarse + (uint32_t)(int16_t)(uint16_t)(PWM_CTR(CLOCK_SLICE) - port.phase - coarse);
+}
+
+static inline uint32_t port_wait(uint32_t at) {
+    uint32_t now;
+    do now = port_now();
+    while ((int32_t)(now - at) < 0);
+    return now;
+}
+
+/* Two microseconds ahead at least: an alarm that has gone by while it is written would come in an hour. */
+static inline void port_alarm(uint32_t at) {
+    int32_t in = (int32_t)(at - port_now());
+    if (in < 48)
+        irq_pend(PORT_IRQ_TIMER);
+    else
+        TIMER_ALARM1 = TIMER_RAWL + ((uint32_t)in >> 4);
+}
+
+static inline void port_pins(uint32_t mask, uint32_t value) {
+    SIO_OUT_XOR = (SIO_OUT ^ ((value ^ port.invert) << FIRST_PIN)) & mask << FIRST_PIN;
+}
+
+#endif
