@@ -100,11 +100,15 @@ $(TESTS_SRC:tests/%.c=run-%): run-%: $(BUILDDIR)/tests/%
 
 RUN_TESTS = RIDGELINE=$(RIDGELINE) BUILDDIR=$(BUILDDIR) JOBS=$(JOBS) sh tests/run.sh
 
+include firmware/firmware.mk tests/emu/emu.mk
+
 test: ## install what is missing, build and run every test; ends with `N passed, N failed`
-	$(Q)sh .ci/deps.sh host test
-	+$(Q)$(again) test-run
-test-run: host $(TESTS) $(FUZZERS)
-	$(Q)$(RUN_TESTS) $(TESTS) $(CLI_TESTS) $(GPIO_RUN) $(FUZZERS)
+	$(Q)sh .ci/deps.sh host test firmware emu
+	+$(Q)$(again) test-run EMU=1
+# EMU=1: the boards' images too, which need packages that the sanitizers' runs do without.
+EMU ?=
+test-run: host $(TESTS) $(FUZZERS) $(if $(EMU),$(EMU_NEEDS))
+	$(Q)$(RUN_TESTS) $(TESTS) $(CLI_TESTS) $(if $(EMU),$(EMU_TESTS)) $(GPIO_RUN) $(FUZZERS)
 
 define test_folder
 .PHONY: test-$1
@@ -146,7 +150,7 @@ VALGRIND_TESTS = $(filter-out %/test_func %/test_func_tables %/test_num %/test_w
 valgrind: host $(TESTS) ## the unit tests and the demo scenes under valgrind
 	$(Q)sh .ci/valgrind.sh $(RIDGELINE) $(VALGRIND_TESTS)
 
-SOURCES := $(sort $(wildcard src/*.[ch] src/*/*.[ch] sim/*.[ch] host/*.[ch] hal/*.[ch] hal/linux/*.[ch] tests/*/*.[ch]))
+SOURCES := $(sort $(wildcard src/*.[ch] src/*/*.[ch] sim/*.[ch] host/*.[ch] hal/*.[ch] hal/*/*.[ch] firmware/*.[ch] firmware/tools/*.c tests/*/*.[ch]))
 check: fmt-check ## both compilers without a warning, static analysis, forbidden symbols on the smallest chip
 	$(Q)BUILDDIR=$(BUILDDIR) MAKE=$(MAKE) sh .ci/check.sh
 fmt: ## format every source
@@ -164,4 +168,4 @@ help: ## this list
 	@printf '%-14s%s\n' test-FOLDER 'run one folder of tests: $(TEST_KINDS) cli fuzz'
 
 .SECONDARY:
--include $(shell find $(BUILDDIR)/obj $(BUILDDIR)/fuzz -name '*.d' 2>/dev/null)
+-include $(shell find $(BUILDDIR)/obj $(BUILDDIR)/fuzz $(BUILDDIR)/firmware $(BUILDDIR)/emu -name '*.d' 2>/dev/null)

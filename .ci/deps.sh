@@ -1,10 +1,17 @@
 #!/bin/sh
-# deps.sh GROUP... - installs the Debian packages of the groups host, test, check and bench that are missing, and only those.
+# deps.sh GROUP... - installs the Debian packages of the groups host, test, firmware, emu, check and bench that are missing, and only those.
 # Silent and without a network when nothing is missing.
 packages() {
     case $1 in
     host) echo gcc libc6-dev pkg-config libcairo2-dev libedit-dev ;;
     test) echo libcmocka-dev libmpfr-dev libgmp-dev clang libclang-rt-dev gnuplot-nox gnuplot-doc libgpiod-dev gpiod ;;
+    firmware) echo gcc-arm-none-eabi libnewlib-arm-none-eabi ;;
+    emu)
+        echo qemu-system-arm
+        # Whoever has another Node.js than Debian's keeps it.
+        command -v node >/dev/null || echo nodejs
+        command -v npm >/dev/null || echo npm
+        ;;
     check) echo clang-format clang-tidy cppcheck valgrind gcc-arm-none-eabi libnewlib-arm-none-eabi ;;
     bench) echo gnuplot-nox plplot-driver-cairo libplplot-dev ;;
     *) echo "deps.sh: unknown group $1" >&2; exit 2 ;;

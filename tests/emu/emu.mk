@@ -1,0 +1,31 @@
+# emu.mk - the images run in emulators, watched from outside, against the same program on the simulator.
+EMUDIR := $(BUILDDIR)/emu
+define sim_board
+$(EMUDIR)/obj-$1/firmware/main.o: CPPFLAGS += -Dmain=firmware_main -Wno-missing-prototypes
+$(EMUDIR)/obj-$1/%.o: %.c firmware/boards.mk
+	@mkdir -p $$(@D)
+	$$(call say,CC,$1 $$<)
+	$$(Q)$(CC) $(CFLAGS) $$(CPPFLAGS) $$(addprefix -D,$$(CONFIG_$1)) -c $$< -o $$@
+$(EMUDIR)/sim-$1: $(patsubst %.c,$(EMUDIR)/obj-$1/%.o,firmware/main.c tests/emu/sim_main.c $(CORE_SRC) $(SIM_SRC))
+	$$(call say,LD,$$@)
+	$$(Q)$(CC) $$^ -o $$@
+endef
+$(foreach b,$(BOARDS),$(eval $(call sim_board,$b)))
+$(EMUDIR)/scope.so: tests/emu/scope.c tests/emu/stim.h
+	@mkdir -p $(@D)
+	$(Q)$(CC) -shared -fPIC -O2 -Wall -Wextra -o $@ $<
+# rp2040js, as the lock file says, outside of the source tree.
+$(EMUDIR)/node_modules/.ready: tests/emu/package.json tests/emu/package-lock.json
+	@mkdir -p $(EMUDIR)
+	$(Q)cp tests/emu/package.json tests/emu/package-lock.json $(EMUDIR)
+	$(Q)cd $(EMUDIR) && npm ci --silent --no-audit --no-fund >npm.log 2>&1 || { cat npm.log; exit 1; }
+	$(Q)touch $@
+
+EMU_TESTS := $(wildcard tests/emu/test_*.sh)
+EMU_NEEDS := $(EMUDIR)/scope.so $(EMUDIR)/node_modules/.ready $(BOARDS:%=$(EMUDIR)/sim-%) $(IMAGES)
+.PHONY: test-emu test-emu-run
+test-emu: ## run every board's image in its emulator against the simulator
+	$(Q)sh .ci/deps.sh host firmware emu
+	+$(Q)$(again) test-emu-run
+test-emu-run: host $(EMU_NEEDS)
+	$(Q)$(RUN_TESTS) $(EMU_TESTS)

@@ -1,0 +1,222 @@
+/* scope.c - a logic analyser and a hand at the switches for qemu-system-arm: a plugin that records GPIO lines from
+ * outside the firmware into a VCD file, with QEMU's virtual time, and plays stim.h into console and switches.
+ *
+ *     -plugin scope.so,vcd=out.vcd,stim=in.txt,pin=x_step:PATH@LINE,...,input=limit_x:PATH@LINE:low,...
+ *
+ * drawings=N ends the run 20 ms after `enable` has gone off for the N-th time. A byte that the UART model cannot take
+ * is written to stderr, where the test finds it.
+ *
+ * Debian's QEMU 7.2 has no headers for plugins, and the public interface has neither virtual time nor GPIO lines; so
+ * both the interface and the internals used (which its binary exports) are declared here by hand. */
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "stim.h"
+
+#define EXPORT __attribute__((visibility("default")))
+#define CLOCK_VIRTUAL 1
+#define BYTE_NS 86806
+#define PINS 6
+#define QUIET_NS 20000000
+
+/* The public interface, version 1. */
+typedef uint64_t qemu_plugin_id_t;
+struct qemu_plugin_tb;
+struct qemu_info;
+extern void qemu_plugin_register_vcpu_tb_trans_cb(qemu_plugin_id_t,
+                                                  void (*)(qemu_plugin_id_t, struct qemu_plugin_tb *));
+extern void qemu_plugin_register_atexit_cb(qemu_plugin_id_t, void (*)(qemu_plugin_id_t, void *), void *);
+
+/* Internals of 7.2. */
+typedef void *qemu_irq;
+extern int64_t qemu_clock_get_ns(int type);
+extern void *object_resolve_path(const char *path, bool *ambiguous);
+extern qemu_irq qemu_allocate_irq(void (*handler)(void *, int, int), void *opaque, int n);
+extern qemu_irq qdev_intercept_gpio_out(void *dev, qemu_irq icpt, const char *name, int n);
+extern qemu_irq qdev_get_gpio_in(void *dev, int n);
+extern void qemu_set_irq(qemu_irq irq, int level);
+extern void timer_init_full(void *timer, void *list, int type, int scale, int attrs, void (*cb)(void *), void *opaque);
+extern void timer_mod(void *timer, int64_t expire);
+extern void qemu_mutex_lock_iothread_impl(const char *file, int line);
+extern void qemu_mutex_unlock_iothread(void);
+extern bool qemu_mutex_iothread_locked(void);
+extern void *qemu_chr_find(const char *name);
+extern int qemu_chr_be_can_write(void *chardev);
+extern void qemu_chr_be_write(void *chardev, const uint8_t *buf, int len);
+extern void qemu_system_shutdown_request(int cause);
+
+EXPORT int qemu_plugin_version = 1;
+
+static const char *const PIN_NAME[PINS] = {"x_step", "x_dir", "y_step", "y_dir", "pen", "enable"};
+
+typedef struct wire {
+    char path[128];
+    int line;
+    bool low; /* active low */
+    bool used;
+    qemu_irq next; /* what the line was connected to before */
+} wire_t;
+
+static struct {
+    FILE *vcd;
+    wire_t pin[PINS], input[4];
+    uint8_t level; /* of all pins, active is 1 */
+    int64_t written_ns, first_ns;
+    int drawings, to_draw;
+    stim_t *stim;
+    int stims, at, byte;
+    bool started;
+    _Alignas(16) unsigned char timer[256]; /* a QEMUTimer, which is smaller */
+    _Alignas(16) unsigned char quiet[256];
+} g = {.written_ns = -1, .first_ns = -1};
+
+static void write_change(int pin, int level) {
+    int64_t now = qemu_clock_get_ns(CLOCK_VIRTUAL);
+    if (now != g.written_ns) fprintf(g.vcd, "#%lld\n", (long long)now);
+    g.written_ns = now;
+    fprintf(g.vcd, "%d%c\n", level, '!' + pin);
+}
+
+static void quit(void *unused) {
+    (void)unused;
+    qemu_system_shutdown_request(3);
+}
+
+static void schedule(void) {
+    if (g.at == g.stims) return;
+    const stim_t *s = &g.stim[g.at];
+    if (s->relative && g.first_ns < 0) return; /* waits for the first change */
+    int64_t at = s->ns + (s->relative ? g.first_ns : 0) + (int64_t)g.byte * BYTE_NS;
+    int64_t now = qemu_clock_get_ns(CLOCK_VIRTUAL);
+    timer_mod(g.timer, at > now ? at : now + 1);
+}
+
+static void type_byte(const stim_t *s) {
+    void *uart = qemu_chr_find("serial0");
+    uint8_t byte = (uint8_t)s->text[g.byte++];
+    if (uart && qemu_chr_be_can_write(uart) > 0)
+        qemu_chr_be_write(uart, &byte, 1);
+    else
+        fprintf(stderr, "scope: byte %d lost by the UART\n", byte);
+}
+
+static void play(void *unused) {
+    (void)unused;
+    const stim_t *s = &g.stim[g.at];
+    if (s->kind == STIM_TYPE) {
+        type_byte(s);
+        if (g.byte >= s->bytes) {
+            g.at++;
+            g.byte = 0;
+        }
+    } else {
+        if (s->kind == STIM_QUIT) quit(NULL);
+        if (s->kind == STIM_INPUT) {
+            const wire_t *w = &g.input[s->input];
+            void *dev = object_resolve_path(w->path, &(bool){false});
+            if (dev) qemu_set_irq(qdev_get_gpio_in(dev, w->line), s->level != w->low);
+        }
+        g.at++;
+    }
+    schedule();
+}
+
+static void edge(void *opaque, int n, int level) {
+    wire_t *w = opaque;
+    int pin = (int)(w - g.pin);
+    bool active = (level != 0) != w->low;
+    if (active != (bool)(g.level >> pin & 1)) {
+        g.level ^= (uint8_t)(1 << pin);
+        write_change(pin, active);
+        if (g.first_ns < 0) {
+            g.first_ns = qemu_clock_get_ns(CLOCK_VIRTUAL);
+            schedule();
+        }
+        if (pin == PINS - 1 && !active && ++g.drawings == g.to_draw)
+            timer_mod(g.quiet, qemu_clock_get_ns(CLOCK_VIRTUAL) + QUIET_NS);
+    }
+    if (w->next) qemu_set_irq(w->next, level);
+    (void)n;
+}
+
+static void connect(void) {
+    bool locked = qemu_mutex_iothread_locked();
+    if (!locked) qemu_mutex_lock_iothread_impl(__FILE__, __LINE__);
+    for (int i = 0; i < PINS; i++) {
+        wire_t *w = &g.pin[i];
+        void *dev = w->used ? object_resolve_path(w->path, &(bool){false}) : NULL;
+        if (!dev) {
+            fprintf(stderr, "scope: no pin %s at %s\n", PIN_NAME[i], w->path);
+            exit(2);
+        }
+        w->next = qdev_intercept_gpio_out(dev, qemu_allocate_irq(edge, w, w->line), NULL, w->line);
+    }
+    for (int i = 0; i < 4; i++) { /* switches are open: lines at rest are otherwise low */
+        void *dev = g.input[i].used ? object_resolve_path(g.input[i].path, &(bool){false}) : NULL;
+        if (dev) qemu_set_irq(qdev_get_gpio_in(dev, g.input[i].line), g.input[i].low);
+    }
+    timer_init_full(g.timer, NULL, CLOCK_VIRTUAL, 1, 0, play, NULL);
+    timer_init_full(g.quiet, NULL, CLOCK_VIRTUAL, 1, 0, quit, NULL);
+    schedule();
+    if (!locked) qemu_mutex_unlock_iothread();
+}
+
+/* The first translation: all devices exist, no instruction has run. */
+static void on_translation(qemu_plugin_id_t id, struct qemu_plugin_tb *tb) {
+    (void)id, (void)tb;
+    if (g.started) return;
+    g.started = true;
+    connect();
+}
+
+static void at_exit(qemu_plugin_id_t id, void *unused) {
+    (void)id, (void)unused;
+    fprintf(g.vcd, "#%lld\n", (long long)qemu_clock_get_ns(CLOCK_VIRTUAL));
+    fclose(g.vcd);
+}
+
+static void parse_wire(wire_t *w, const char *text) {
+    char low[8] = "";
+    w->used = sscanf(text, "%127[^@]@%d:%7s", w->path, &w->line, low) >= 2;
+    w->low = strcmp(low, "low") == 0;
+}
+
+/* pin=NAME:PATH@LINE[:low] */
+static bool parse(const char *arg) {
+    char name[16], rest[160];
+    if (strncmp(arg, "vcd=", 4) == 0) return (g.vcd = fopen(arg + 4, "w")) != NULL;
+    if (strncmp(arg, "stim=", 5) == 0) return (g.stims = stim_read(arg + 5, &g.stim)) >= 0;
+    if (sscanf(arg, "drawings=%d", &g.to_draw) == 1) return true;
+    if (sscanf(arg, "input=%15[^:]:%159s", name, rest) == 2 && stim_input(name) >= 0) {
+        parse_wire(&g.input[stim_input(name)], rest);
+        return true;
+    }
+    if (sscanf(arg, "pin=%15[^:]:%159s", name, rest) != 2) return false;
+    for (int i = 0; i < PINS; i++)
+        if (strcmp(name, PIN_NAME[i]) == 0) {
+            parse_wire(&g.pin[i], rest);
+            return true;
+        }
+    return false;
+}
+
+EXPORT int qemu_plugin_install(qemu_plugin_id_t id, const struct qemu_info *info, int argc, char **argv) {
+    (void)info;
+    for (int i = 0; i < argc; i++)
+        if (!parse(argv[i])) {
+            fprintf(stderr, "scope: %s?\n", argv[i]);
+            return -1;
+        }
+    if (!g.vcd) return -1;
+    fprintf(g.vcd, "$timescale 1 ns $end\n$scope module plotter $end\n");
+    for (int i = 0; i < PINS; i++) fprintf(g.vcd, "$var wire 1 %c %s $end\n", '!' + i, PIN_NAME[i]);
+    fprintf(g.vcd, "$upscope $end\n$enddefinitions $end\n#0\n$dumpvars\n");
+    for (int i = 0; i < PINS; i++) fprintf(g.vcd, "0%c\n", '!' + i);
+    fprintf(g.vcd, "$end\n");
+    qemu_plugin_register_vcpu_tb_trans_cb(id, on_translation);
+    qemu_plugin_register_atexit_cb(id, at_exit, NULL);
+    return 0;
+}
