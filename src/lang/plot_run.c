@@ -41,6 +41,9 @@ static int draw(session_t *s) {
     if (err == ERR_UNSUPPORTED && n > 1)
         return plot_fail(s, &s->plot.source[s->plot.sources > 1], err,
                          "surfaces cannot hide each other here; try unset hidden3d");
+    if (err == ERR_VALUE && s->settings.view.from)
+        return plot_fail(s, &s->plot.source[0], err,
+                         "nothing can be seen: all is behind the eye, or too far for its size");
     if (err < 0) return plot_fail(s, &s->plot.source[0], err, error_text(err));
     return evaluation_error(s, n);
 }

@@ -149,6 +149,12 @@ what_the_machine_cannot_reach_leaves_no_trace() {
     [ ! -e a.vcd ]
 }
 
+a_scene_behind_the_eye_is_told() {
+    echo 'set view from 0,0,500 to 0,0,900; splot x*y' >bad.gp
+    expect_status 2 ridgeline plot bad.gp -o a.svg 2>err
+    expect_text err 'behind the eye'
+}
+
 a_known_but_ignored_option_is_warned_of_once() {
     printf 'set isosamples 8\nset key left\nset key right\nsplot x*y\n' | ridgeline plot - -o a.svg 2>err
     [ "$(grep -c key err)" -ge 1 ]
@@ -200,7 +206,7 @@ no_progress_off_a_terminal() {
     [ ! -s err ]
 }
 
-run_tests every_suffix_is_written data_that_is_no_data_is_named what_the_machine_cannot_reach_leaves_no_trace a_byte_order_mark_is_skipped what_is_no_scene_is_bad_input seg_is_what_the_format_says runs_are_the_same pages_are_numbered scene_from_stdin \
+run_tests every_suffix_is_written a_scene_behind_the_eye_is_told data_that_is_no_data_is_named what_the_machine_cannot_reach_leaves_no_trace a_byte_order_mark_is_skipped what_is_no_scene_is_bad_input seg_is_what_the_format_says runs_are_the_same pages_are_numbered scene_from_stdin \
     continued_lines_comments_and_several_commands set_runs_before_the_scene stats_tell_every_page a_table_when_asked \
     print_goes_to_stdout data_beside_the_scene_is_found inline_data an_error_shows_line_column_and_caret \
     bad_input_draws_nothing_and_says_2 a_known_but_ignored_option_is_warned_of_once bad_options_get_a_hint \
