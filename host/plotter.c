@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 
 #include "error.h"
 #include "host/play.h"
@@ -38,7 +39,11 @@ int plotter_write_vcd(const drawing_t *d, const machine_t *machine, const char *
         sim_record(NULL, NULL);
         if (!err) err = written;
     }
+    struct stat about;
+    bool is_file = fstat(fileno(f), &about) == 0 && S_ISREG(about.st_mode);
     if (fclose(f) != 0 && !err) err = ERR_FILE;
-    if (err == ERR_MACHINE) remove(path); /* the beginning of a trace would pass for a trace */
+    /* The beginning of a trace would pass for a trace. What is no plain file, such as /dev/null, is not ours to remove.
+     */
+    if (err == ERR_MACHINE && is_file) remove(path);
     return err;
 }
