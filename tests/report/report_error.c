@@ -161,7 +161,8 @@ static void by_size(const char *dir, bool quick) {
                 if (k == KERNEL_HORIZON && n >= 100) every *= 2;
                 outcome_t o = measure((enum subject_kernel)k, (enum subject_family)m, n, LATTICE_SHIPPED, every);
                 row(out, subject_kernel_name[k], subject_family_name[m], n, LATTICE_SHIPPED, &o);
-                fprintf(times, "%s\t%s\t%d\t%.1f\n", subject_kernel_name[k], subject_family_name[m], n, o.ns);
+                if (!o.failed)
+                    fprintf(times, "%s\t%s\t%d\t%.1f\n", subject_kernel_name[k], subject_family_name[m], n, o.ns);
                 if (o.failed) {
                     printf("| %s | %s | %d | does not fit into %zu bytes | | | | |\n", subject_kernel_name[k],
                            subject_family_name[m], n, o.lent);

@@ -173,8 +173,9 @@ int main(int argc, char **argv) {
         "beside it what a floating horizon of %d columns makes of it: [the sheets and the table](hard.md).\n\n"
         "Ours: longest run missing %.2f steps, false %.2f, an end off by at most %.2f steps. The naive one is wrong by "
         "more than a step in %d of them, at worst %.0f steps missing and %.0f false.\n\n"
-        "Not exact, and with what bound: a crossing is rounded to the lattice, half a unit of at most 2^-15 steps, and "
-        "a line cut k times is off by k of them; lines nearer than 4 units to each other count as one, and the nearer "
+        "Not exact, and with what bound: a crossing is rounded to the lattice, by 0.71 units of 2^-15 steps or less, "
+        "and "
+        "a line cut k times by k times that; lines nearer than 4 units to each other count as one, and the nearer "
         "wins; of a facet right below or above the eye its four corners do not tell on which side the eye is, so what "
         "it hides may count either way.\n\n![a sheet](hard-1.png)\n",
         count, NAIVE_COLUMNS, steps(all.ours.missing_mm), steps(all.ours.false_mm), all.ours.end_steps, all.naive_wrong,

@@ -188,11 +188,9 @@ static void open_question(const char *dir) {
     for (int k = 0; k < 3; k++)
         printf("- %s: n^%.3f, %+.3f per doubling; from n = 100 to 2000 the mean goes from %.2f to %.2f\n", shape[k],
                power[k], rise[k] * log(2), mean[k][3], mean[k][SIZES - 1]);
-    printf(
-        "\nSo for smooth and for fractal surfaces the mean is bounded, and the algorithm linear. On uncorrelated "
-        "random "
-        "heights it grows like the cube root of n, that is the sixth root of the facets: the farther a facet, the more "
-        "of the nearer peaks stand in its range.\n");
+    printf("\nUp to n = 2000 the mean shows no growth on smooth and on fractal surfaces, so the algorithm is linear "
+           "there. "
+           "On uncorrelated random heights it grows like the cube root of n, the sixth root of the facets.\n");
     printf("\n![vertices in range](range.svg)\n");
     snprintf(path, sizeof path, "%s/range.svg", dir);
     figure_write(&f, path);
