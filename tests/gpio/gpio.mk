@@ -1,21 +1,21 @@
 # gpio.mk - the emulated gpiochip, and the test that runs ridgeline-gpio of both libgpiod versions against it.
 GPIO_TESTS := $(wildcard tests/gpio/test_*.sh)
-EMU        := $(BUILDDIR)/gpio/libgpioemu.so $(BUILDDIR)/gpio/emu_tool $(BUILDDIR)/gpio/emu_judge
-EMU_HEADERS := $(wildcard tests/gpio/*.h)
-EMU_CFLAGS := $(CPPFLAGS) -std=c11 $(WARN) -O2
+GPIO_EMU   := $(BUILDDIR)/gpio/libgpioemu.so $(BUILDDIR)/gpio/emu_tool $(BUILDDIR)/gpio/emu_judge
+GPIO_HEADERS := $(wildcard tests/gpio/*.h)
+GPIO_CFLAGS := $(CPPFLAGS) -std=c11 $(WARN) -O2
 
-$(BUILDDIR)/gpio/libgpioemu.so: tests/gpio/emu_preload.c tests/gpio/emu_uapi.c tests/gpio/emu.c $(EMU_HEADERS)
+$(BUILDDIR)/gpio/libgpioemu.so: tests/gpio/emu_preload.c tests/gpio/emu_uapi.c tests/gpio/emu.c $(GPIO_HEADERS)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)
-	$(Q)$(CC) $(EMU_CFLAGS) -fPIC -shared $(filter %.c,$^) -ldl -o $@
-$(BUILDDIR)/gpio/emu_tool: tests/gpio/emu_tool.c tests/gpio/emu.c $(EMU_HEADERS)
+	$(Q)$(CC) $(GPIO_CFLAGS) -fPIC -shared $(filter %.c,$^) -ldl -o $@
+$(BUILDDIR)/gpio/emu_tool: tests/gpio/emu_tool.c tests/gpio/emu.c $(GPIO_HEADERS)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)
-	$(Q)$(CC) $(EMU_CFLAGS) $(filter %.c,$^) -o $@
-$(BUILDDIR)/gpio/emu_judge: tests/gpio/emu_judge.c tests/gpio/emu.c $(BUILDDIR)/libhost.a $(BUILDDIR)/libcore.a $(EMU_HEADERS)
+	$(Q)$(CC) $(GPIO_CFLAGS) $(filter %.c,$^) -o $@
+$(BUILDDIR)/gpio/emu_judge: tests/gpio/emu_judge.c tests/gpio/emu.c $(BUILDDIR)/libhost.a $(BUILDDIR)/libcore.a $(GPIO_HEADERS)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)
-	$(Q)$(CC) $(EMU_CFLAGS) $(LDFLAGS) $(filter %.c %.a,$^) $(BUILDDIR)/libhost.a $(HOST_LIBS) -o $@
+	$(Q)$(CC) $(GPIO_CFLAGS) $(LDFLAGS) $(filter %.c %.a,$^) $(BUILDDIR)/libhost.a $(HOST_LIBS) -o $@
 
 # ridgeline-gpio with libgpiod 2.x too, where its packages can be had.
 GPIO2 := $(BUILDDIR)/gpio/v2/ridgeline-gpio
@@ -26,7 +26,7 @@ gpio-v2: $(BUILDDIR)/libhost.a $(BUILDDIR)/libsrc.a
 	else echo "libgpiod 2.x cannot be had: tests run with $(GPIO_VERSION) alone"; fi
 
 .PHONY: test-gpio gpio-ready
-gpio-ready: host $(EMU) gpio-v2
+gpio-ready: host $(GPIO_EMU) gpio-v2
 test-gpio: gpio-ready ## run tests/gpio alone: ridgeline-gpio on an emulated gpiochip
 	$(Q)$(RUN_TESTS) $(GPIO_TESTS)
 # Not under a sanitizer: its runtime wants to be the first library, and so does the emulation.
