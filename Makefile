@@ -104,11 +104,11 @@ include firmware/firmware.mk tests/emu/emu.mk
 
 test: ## install what is missing, build and run every test; ends with `N passed, N failed`
 	$(Q)sh .ci/deps.sh host test firmware emu
-	+$(Q)$(again) test-run EMU=1
-# EMU=1: the boards' images too, which need packages that the sanitizers' runs do without.
-EMU ?=
-test-run: host $(TESTS) $(FUZZERS) $(if $(EMU),$(EMU_NEEDS))
-	$(Q)$(RUN_TESTS) $(TESTS) $(CLI_TESTS) $(if $(EMU),$(EMU_TESTS)) $(GPIO_RUN) $(FUZZERS)
+	+$(Q)$(again) test-run IMAGES_TOO=1
+# IMAGES_TOO=1: the boards' images too, which need packages that the sanitizers' runs do without.
+IMAGES_TOO ?=
+test-run: host $(TESTS) $(FUZZERS) $(if $(IMAGES_TOO),$(BOARD_NEEDS))
+	$(Q)$(RUN_TESTS) $(TESTS) $(CLI_TESTS) $(if $(IMAGES_TOO),$(BOARD_TESTS)) $(GPIO_RUN) $(FUZZERS)
 
 define test_folder
 .PHONY: test-$1

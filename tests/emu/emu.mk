@@ -21,11 +21,11 @@ $(EMUDIR)/node_modules/.ready: tests/emu/package.json tests/emu/package-lock.jso
 	$(Q)cd $(EMUDIR) && npm ci --silent --no-audit --no-fund >npm.log 2>&1 || { cat npm.log; exit 1; }
 	$(Q)touch $@
 
-EMU_TESTS := $(wildcard tests/emu/test_*.sh)
-EMU_NEEDS := $(EMUDIR)/scope.so $(EMUDIR)/node_modules/.ready $(BOARDS:%=$(EMUDIR)/sim-%) $(IMAGES)
+BOARD_TESTS := $(wildcard tests/emu/test_*.sh)
+BOARD_NEEDS := $(EMUDIR)/scope.so $(EMUDIR)/node_modules/.ready $(BOARDS:%=$(EMUDIR)/sim-%) $(IMAGES)
 .PHONY: test-emu test-emu-run
 test-emu: ## run every board's image in its emulator against the simulator
 	$(Q)sh .ci/deps.sh host firmware emu
 	+$(Q)$(again) test-emu-run
-test-emu-run: host $(EMU_NEEDS)
-	$(Q)$(RUN_TESTS) $(EMU_TESTS)
+test-emu-run: host $(BOARD_NEEDS)
+	$(Q)$(RUN_TESTS) $(BOARD_TESTS)
