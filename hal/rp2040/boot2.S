@@ -1,6 +1,6 @@
 /* boot2.S - second stage boot loader: serial read (03h), execution in place, then the program's vector table at flash + 0x100.
- * The boot ROM copies the first 256 bytes of flash to RAM, checks the CRC32 in their last word (firmware/uf2.awk fills
- * it in) and enters here. 03h works on every flash chip; the program's hot parts run from RAM. */
+ * The boot ROM copies the first 256 bytes of flash to RAM, checks the CRC32 in their last word (firmware/tools/uf2.c fills
+ * it in) and enters here. 03h works on every flash chip; only the flash routines run from RAM. */
     .syntax unified
     .cpu cortex-m0plus
     .thumb
