@@ -36,9 +36,3 @@ test-run: gpio-ready
 GPIO_RUN := $(GPIO_TESTS)
 endif
 endif
-
-# The emulation against the truth: the same program on a real kernel's gpio-sim. Long to build, so it is not part of `make test`.
-.PHONY: check-uml
-check-uml: gpio-ready ## ridgeline-gpio on gpio-sim of a user-mode Linux, which is built first: minutes
-	$(Q)sh tests/gpio/uml_build.sh $(BUILDDIR)/gpio/uml
-	$(Q)RIDGELINE=$(RIDGELINE) sh tests/gpio/uml.sh $(BUILDDIR)/gpio/uml $(GPIO) $(wildcard $(GPIO2))
