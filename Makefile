@@ -128,7 +128,7 @@ FUZZ_CFLAGS := -std=c11 -g -O1 -MMD -MP -fsanitize=fuzzer-no-link,address,undefi
                -DCONFIG_CALL_WORK=10000
 FUZZ_OBJ := $(CORE_SRC:%.c=$(BUILDDIR)/fuzz/obj/%.o) $(SIM_SRC:%.c=$(BUILDDIR)/fuzz/obj/%.o)
 fuzz: $(FUZZERS) ## run each fuzz target for FUZZ_SECONDS (60)
-	$(Q)FUZZ_SECONDS=$(FUZZ_SECONDS) $(RUN_TESTS) $(FUZZERS)
+	$(Q)FUZZ_SECONDS=$(FUZZ_SECONDS) FUZZ_SEED=0 $(RUN_TESTS) $(FUZZERS)
 $(BUILDDIR)/fuzz/obj/%.o: %.c
 	@mkdir -p $(@D)
 	$(call say,FUZZ,$<)
@@ -150,7 +150,7 @@ VALGRIND_TESTS = $(filter-out %/test_func %/test_func_tables %/test_num %/test_w
 valgrind: host $(TESTS) ## the unit tests and the demo scenes under valgrind
 	$(Q)sh .ci/valgrind.sh $(RIDGELINE) $(VALGRIND_TESTS)
 
-SOURCES := $(sort $(wildcard src/*.[ch] src/*/*.[ch] sim/*.[ch] host/*.[ch] hal/*.[ch] hal/*/*.[ch] firmware/*.[ch] firmware/tools/*.c tests/*/*.[ch]))
+SOURCES := $(sort $(wildcard src/*.[ch] src/*/*.[ch] sim/*.[ch] host/*.[ch] hal/*.[ch] hal/*/*.[ch] firmware/*.[ch] firmware/tools/*.c tests/*/*.[ch] tests/*/tools/*.[ch]))
 check: fmt-check ## both compilers without a warning, static analysis, forbidden symbols on the smallest chip
 	$(Q)BUILDDIR=$(BUILDDIR) MAKE=$(MAKE) sh .ci/check.sh
 fmt: ## format every source
@@ -159,7 +159,7 @@ fmt-check:
 	$(Q)clang-format --dry-run -Werror $(SOURCES)
 
 include hal/linux/linux.mk tests/gpio/gpio.mk
--include $(wildcard tests/bench/*.mk tests/report/*.mk)
+-include $(wildcard tests/bench/*.mk tests/report/*.mk tests/cli/*.mk)
 
 clean: ## remove what was built
 	$(Q)rm -rf $(BUILDDIR)

@@ -2,15 +2,15 @@
 # run.sh PROGRAM... - runs test programs, JOBS at a time, and ends with the line `N passed, N failed`.
 #
 # A program is a cmocka binary, a script of tests/cli (which prints cmocka's lines), or a libFuzzer binary, which is run for
-# FUZZ_SECONDS (10) and counts as one test. One line each as they finish; the output of those that fail is shown, and
-# of the others the lines that begin with `# `, which are measurements.
+# FUZZ_SECONDS (10) from FUZZ_SEED (1; 0 is another every time) and counts as one test. One line each as they finish; the
+# output of those that fail is shown, and of the others the lines that begin with `# `, which are measurements.
 run_fuzzer() {
     name=${1##*/}
     mkdir -p "$work/corpus-$name"
     set -- "$1" "$work/corpus-$name"
     [ -d "tests/fuzz/corpus/$name" ] && set -- "$@" "tests/fuzz/corpus/$name"
     [ -e "tests/fuzz/$name.dict" ] && set -- "$@" "-dict=tests/fuzz/$name.dict"
-    "$@" -max_total_time="${FUZZ_SECONDS:-10}" -timeout=5 -print_final_stats=1 -artifact_prefix="$BUILDDIR/fuzz/" -verbosity=0 >"$log" 2>&1
+    "$@" -max_total_time="${FUZZ_SECONDS:-10}" -seed="${FUZZ_SEED:-1}" -timeout=120 -print_final_stats=1 -artifact_prefix="$BUILDDIR/fuzz/" -verbosity=0 >"$log" 2>&1
     rc=$?
     if [ $rc -eq 0 ]; then
         echo "[       OK ] $name" >>"$log"

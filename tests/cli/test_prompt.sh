@@ -1,43 +1,74 @@
 #!/bin/sh
-# The prompt, on a terminal that `script` pretends to be.
+# The prompt, on a terminal. What is typed is typed when the program has printed what a person would have waited for.
 . tests/cli/lib.sh
+case ${BUILDDIR:=build} in /*) ;; *) BUILDDIR=$root/$BUILDDIR ;; esac
 
 export HOME=. TERM=dumb
 
-# Types stdin into the program's terminal.
-at_terminal() { script -qec "$*" /dev/null; }
+# at_terminal COMMAND... <dialogue: runs it on a terminal; the transcript goes to stdout.
+at_terminal() { "$BUILDDIR/tools/terminal" "$@"; }
+# says LINE...: the dialogue that types each at its prompt.
+says() {
+    for line in "$@"; do printf 'wait ridgeline> \ntype %s\\n\n' "$line"; done
+}
 
 a_plot_at_the_prompt_becomes_plot_svg() {
-    printf 'set isosamples 8\nsplot x*y\nsplot x+y\nquit\n' | at_terminal "$RIDGELINE" >out
+    says 'set isosamples 8' 'splot x*y' 'splot x+y' quit | at_terminal "$RIDGELINE" >out
     expect_text out 'ridgeline> ' plot.svg
     [ -s plot.svg ]
     [ ! -e plot-2.svg ]
 }
 
 an_error_does_not_end_it() {
-    printf 'splot x+*y\nprint 40+2\nquit\n' | at_terminal "$RIDGELINE" >out
+    says 'splot x+*y' 'print 40+2' quit | at_terminal "$RIDGELINE" >out
     expect_text out '^' 42
     [ ! -e plot.svg ]
 }
 
 outputs_can_be_chosen() {
-    printf 'set isosamples 8\nsplot x*y\nquit\n' | at_terminal "$RIDGELINE -o a.seg -o a.png --set 'set paper a5'" >out
+    says 'set isosamples 8' 'splot x*y' quit | at_terminal "$RIDGELINE" -o a.seg -o a.png --set 'set paper a5' >out
     [ -s a.seg ]
     [ -s a.png ]
     [ ! -e plot.svg ]
 }
 
 ctrl_c_takes_a_line_back() {
-    {
-        sleep 0.4; printf 'print 41'; sleep 0.2; printf '\003'
-        sleep 0.2; printf 'splot "-"\n'; sleep 0.2; printf '\003'
-        sleep 0.2; printf 'print 40+2\nquit\n'
-    } | at_terminal "$RIDGELINE" >out
-    tr -d '\r' <out | grep -qx 42
+    at_terminal "$RIDGELINE" >out <<'END'
+wait ridgeline> 
+type print 41
+wait print 41
+type \003
+wait ridgeline> 
+type splot "-"\n
+wait \n> 
+type \003
+wait ridgeline> 
+type print 40+2\n
+wait \n42
+wait ridgeline> 
+type quit\n
+END
+}
+
+ctrl_c_ends_a_plot_that_takes_too_long() {
+    got=0
+    at_terminal "$RIDGELINE" plot - -o a.svg >out <<'END' || got=$?
+type set isosamples 30000; splot sin(x)*cos(y)\n\004
+wait %
+type \003
+END
+    [ $got -eq 130 ] || { echo "exit status $got"; cat out; return 1; }
+    [ ! -e a.svg ]
+}
+
+the_end_of_input_ends_it() {
+    says 'print 40+2' >dialogue
+    printf 'wait \\n42\nwait ridgeline> \ntype \\004\n' >>dialogue
+    expect_status 0 at_terminal "$RIDGELINE" <dialogue >out
 }
 
 history_is_kept() {
-    printf 'print 1\nprint 2\nprint 2\nquit\n' | at_terminal "$RIDGELINE" >out
+    says 'print 1' 'print 2' 'print 2' quit | at_terminal "$RIDGELINE" >out
     [ "$(grep -c 'print' .ridgeline_history)" -eq 2 ]
 }
 
@@ -50,15 +81,9 @@ without_a_terminal_it_reads_a_script() {
     expect_text err '^'
 }
 
-a_long_job_says_how_far_it_is() {
-    printf 'set isosamples 3000\nset view from 6,8,3\nsplot exp(-x**2-y**2)\n' >long.gp
-    at_terminal "$RIDGELINE plot long.gp" </dev/null >out
-    grep -q '%' out
-}
-
-if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
-    run_tests a_plot_at_the_prompt_becomes_plot_svg an_error_does_not_end_it outputs_can_be_chosen ctrl_c_takes_a_line_back history_is_kept \
-        without_a_terminal_it_reads_a_script a_long_job_says_how_far_it_is
+if at_terminal true </dev/null >/dev/null 2>&1; then
+    run_tests a_plot_at_the_prompt_becomes_plot_svg an_error_does_not_end_it outputs_can_be_chosen ctrl_c_takes_a_line_back \
+        ctrl_c_ends_a_plot_that_takes_too_long the_end_of_input_ends_it history_is_kept without_a_terminal_it_reads_a_script
 else
     echo "# the prompt itself is not tested: no pseudo-terminal can be had here"
     run_tests without_a_terminal_it_reads_a_script

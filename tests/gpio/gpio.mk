@@ -21,6 +21,7 @@ $(BUILDDIR)/gpio/emu_judge: tests/gpio/emu_judge.c tests/gpio/emu.c $(BUILDDIR)/
 GPIO2 := $(BUILDDIR)/gpio/v2/ridgeline-gpio
 .PHONY: gpio-v2
 gpio-v2: $(BUILDDIR)/libhost.a $(BUILDDIR)/libsrc.a
+	@mkdir -p $(BUILDDIR)/gpio
 	$(Q)if sh tests/gpio/get_v2.sh $(BUILDDIR)/gpio/debian-v2 >$(BUILDDIR)/gpio/get_v2.log 2>&1; then \
 	    . $(BUILDDIR)/gpio/debian-v2/env && $(MAKE) --no-print-directory gpio GPIO=$(GPIO2); \
 	else echo "libgpiod 2.x cannot be had: tests run with $(GPIO_VERSION) alone"; fi
