@@ -20,7 +20,7 @@ enum value_kind {
 };
 
 typedef struct value {
-    int64_t m;    /* the integer, or the significand of the real */
+    wide_s64_t m; /* the integer, or the significand of the real */
     int32_t e;    /* 0, or the exponent of the real */
     uint8_t kind; /* enum value_kind */
 } value_t;

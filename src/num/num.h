@@ -24,9 +24,9 @@
 #define NUM_EXP_LIMIT 1100 /* a little wider than double, so that whatever gnuplot prints we can hold */
 
 typedef struct num {
-    int64_t m;  /* significand, normalised */
-    int32_t e;  /* binary exponent: value = m * 2^e */
-    bool undef; /* true: no value; m and e are then 0 */
+    wide_s64_t m; /* significand, normalised */
+    int32_t e;    /* binary exponent: value = m * 2^e */
+    bool undef;   /* true: no value; m and e are then 0 */
 } num_t;
 
 num_t num_undef(void);
