@@ -1,8 +1,10 @@
 // rp2040.mjs - runs a Pico's image in rp2040js, watched from outside: pins into a VCD file, stim.h's files into console and
 // switches, at exact virtual times.
 //
-//     node rp2040.mjs IMAGE.bin STIM OUT.vcd OUT.txt DRAWINGS
+//     node rp2040.mjs IMAGE.bin STIM OUT.vcd OUT.txt DRAWINGS [PROBE.mjs ARGUMENTS...]
 //
+// A probe's default export is given the emulator and the arguments; its step(pc, cycles, waiting) is called after every
+// instruction and ends the run by returning true; finish() is called then.
 // The package's own run loop is not used: time is advanced instruction by instruction, and what was pending before WFI ends it.
 // The boot ROM is stood in for: the boot loader's checksum is checked, it is copied to RAM and entered, as the ROM does; and
 // flash routines are found where the ROM has them. Any warning of the emulator fails the run.
@@ -12,7 +14,8 @@ import { pathToFileURL } from 'node:url';
 const require = createRequire(pathToFileURL(process.env.EMU_MODULES + '/'));
 const { RP2040, GPIOPinState } = require('rp2040js');
 
-const [image, stimFile, vcdFile, textFile, drawings] = process.argv.slice(2);
+const [image, stimFile, vcdFile, textFile, drawings, probeFile, ...probeArguments] = process.argv.slice(2);
+const probe = probeFile ? (await import(pathToFileURL(probeFile))).default : null;
 const BIT_NS = 1e9 / 115200;
 const QUIET_NS = 20e6;
 const PIN = { 2: [0, 0], 3: [1, 0], 4: [2, 0], 5: [3, 0], 6: [4, 0], 7: [5, 1] }; // GPIO: signal, active low
@@ -142,8 +145,10 @@ core.SP = 0x20041f00;
 core.PC = 0x20041f00;
 play(false);
 
+const probed = probe?.(mcu, ...probeArguments);
 while (!done) {
   let cycles;
+  const pc = core.PC, waiting = core.waiting;
   if (core.waiting) {
     cycles = Math.max(1, Math.ceil((clock.nanosToNextAlarm * mcu.clkSys) / 1e9 - 1e-6));
     core.cycles += cycles;
@@ -152,6 +157,7 @@ while (!done) {
     core.executeInstruction();
     cycles = core.cycles - before;
   }
+  if (probed?.step(pc, cycles, waiting)) done = true;
   clock.tick((cycles * 1e9) / mcu.clkSys);
   if (core.waiting && core.checkForInterrupts()) core.waiting = false;
   if (problems.length) done = true;
@@ -160,5 +166,6 @@ buffer.push(`#${Math.round(clock.nanos * 1000)}\n`);
 flush();
 closeSync(vcd);
 writeFileSync(textFile, text, 'latin1');
+probed?.finish(text);
 for (const p of problems) console.error(`rp2040js: ${p}`);
 process.exit(problems.length ? 1 : 0);
