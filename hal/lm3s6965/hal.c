@@ -41,7 +41,7 @@ void hal_invert(uint32_t pins, uint32_t inputs) {
 
 void port_timer_isr(void) {
     TIMER0_ICR = 1;
-    ahead_isr();
+    ahead_write_isr();
 }
 
 /* Not WFI: there is always the console to look at, and the pins do not get quieter by it. */
@@ -163,6 +163,9 @@ void hal_start(void) {
     GPIO_IM(GPIOE) = ALL_INPUTS;
     p.inputs = hal_inputs();
 
+    pendsv_priority(1);
+    systick_priority(3);
+    irq_priority(PORT_IRQ_SWITCHES, 1);
     irq_priority(PORT_IRQ_UART, 2);
     irq_enable(PORT_IRQ_TIMER);
     irq_enable(PORT_IRQ_UART);

@@ -5,10 +5,10 @@
 #include "hal/hal.h"
 #include "hal/lm3s6965/regs.h"
 
-#define AHEAD_ENTRY 24
-#define AHEAD_COST 72
+#define AHEAD_ENTRY 56
+#define AHEAD_GAP 4
+#define AHEAD_CHAIN 24
 #define AHEAD_SLACK 48
-#define AHEAD_MERGE 8
 
 enum { PORT_IRQ_SWITCHES = 4 /* GPIO port E */, PORT_IRQ_UART = 5, PORT_IRQ_TIMER = 19 /* GPTM 0A */ };
 
@@ -35,13 +35,15 @@ static inline uint32_t port_now(void) {
     return port.ticks += whole;
 }
 
-/* From the last port_now on, without its division. */
-static inline uint32_t port_wait(uint32_t at) {
+/* Cycles from the last port_now on. */
+static inline uint32_t port_raw(uint32_t at) {
     int32_t in = (int32_t)(at - port.ticks);
-    uint32_t cycles = (uint32_t)in * 25 >> 3, from = port.systick;
-    if (in <= 0 || ((from - SYST_CVR) & 0xffffffu) >= cycles) return port_now();
-    while (((from - SYST_CVR) & 0xffffffu) < cycles) continue;
-    return at;
+    return in <= 0 ? 0 : ((uint32_t)in * 25 - port.part) >> 3;
+}
+
+static inline void port_until(uint32_t raw) {
+    const uint32_t from = port.systick;
+    while (((from - SYST_CVR) & 0xffffffu) < raw) continue;
 }
 
 static inline void port_alarm(uint32_t at) {

@@ -50,7 +50,7 @@ uint32_t hal_inputs(void) {
     return inputs ^ p.invert_in;
 }
 
-/* Interrupts off or in the timer's. */
+/* Interrupts off or in PendSV. */
 static void look_at_switches(void) {
     uint32_t inputs = hal_inputs(), risen = inputs & ~p.inputs;
     p.inputs = inputs;
@@ -59,7 +59,11 @@ static void look_at_switches(void) {
 
 void port_timer_isr(void) {
     TIMER0_COMPARE0 = 0;
-    ahead_isr();
+    ahead_write_isr();
+}
+
+void port_plan_isr(void) {
+    ahead_plan_isr();
     look_at_switches();
 }
 
@@ -151,6 +155,7 @@ void hal_start(void) {
     UART_STARTRX = 1;
 
     p.inputs = hal_inputs();
+    pendsv_priority(1);
     irq_priority(PORT_IRQ_UART, 2);
     irq_enable(PORT_IRQ_TIMER);
     irq_enable(PORT_IRQ_UART);

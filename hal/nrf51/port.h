@@ -8,10 +8,10 @@
 #include "hal/hal.h"
 #include "hal/nrf51/regs.h"
 
-#define AHEAD_ENTRY 80
-#define AHEAD_COST 180
+#define AHEAD_ENTRY 100
+#define AHEAD_GAP 20
+#define AHEAD_CHAIN 120
 #define AHEAD_SLACK 160
-#define AHEAD_MERGE 24
 
 enum { PORT_IRQ_UART = 2, PORT_IRQ_TIMER = 8 };
 
@@ -20,6 +20,7 @@ enum { PIN_X_STEP = 3, PIN_X_DIR = 2, PIN_Y_STEP = 1, PIN_Y_DIR = 18, PIN_PEN = 
 
 void port_uart_isr(void);
 void port_timer_isr(void);
+void port_plan_isr(void);
 /* An exception that cannot be: pen up, motors off, stop. */
 void port_panic(void);
 
@@ -31,11 +32,12 @@ static inline uint32_t port_now(void) {
     return TIMER0_CC1;
 }
 
-static inline uint32_t port_wait(uint32_t at) {
-    uint32_t now;
-    do now = port_now();
-    while ((int32_t)(now - at) < 0);
-    return now;
+static inline uint32_t port_raw(uint32_t at) {
+    return at;
+}
+
+static inline void port_until(uint32_t raw) {
+    while ((int32_t)(port_now() - raw) < 0) continue;
 }
 
 /* The new compare value before the old event is cleared: in 32-bit mode QEMU would raise it again at once. */

@@ -12,7 +12,7 @@ __attribute__((section(".vectors"), used)) static void (*const vectors[16 + 32])
     [2] = unexpected, /* NMI */
     [3] = unexpected, /* the hard fault */
     [11] = unexpected,
-    [14] = unexpected,
+    [14] = port_plan_isr,
     [15] = unexpected,
     [16 + 0 ... 16 + 1] = unexpected,
     [16 + PORT_IRQ_UART] = port_uart_isr,

@@ -1,44 +1,89 @@
-/* ahead.c - see ahead.h. All of it runs in the timer interrupt or with interrupts off. */
+/* ahead.c - see ahead.h. */
 #include "hal/port/ahead.h"
 
 #include "hal/hal.h"
 #include "hal/port/cortex.h"
 #include "port.h"
 
-#define STEPS (uint32_t)(HAL_X_STEP | HAL_Y_STEP)
+#define CHAIN 4 /* edges made ready together */
 
 typedef struct edge {
-    uint32_t tick;
+    uint32_t at; /* clock */
     uint8_t mask, value;
 } edge_t;
 
+typedef struct ready {
+    uint32_t raw, mask, value;
+} ready_t;
+
 static struct {
     edge_t ring[AHEAD_EDGES];
-    uint32_t head, tail;
+    volatile uint32_t head; /* written by the planner */
+    volatile uint32_t tail; /* written by the writer */
     bool armed;
-    bool planning;          /* stepgen_isr is running */
-    uint32_t plan;          /* the armed deadline, in planned time */
-    uint32_t skew;          /* real time is planned time + skew */
-    uint32_t newest;        /* tick of the newest edge */
-    uint32_t began_late[2]; /* X, Y: the pulse under way, or the last one (ticks) */
-    uint32_t late, latest;
+    bool planning;         /* stepgen_isr is running */
+    uint32_t plan;         /* the armed deadline, in planned time */
+    uint32_t skew;         /* real time is planned time + skew */
+    uint32_t newest;       /* when the newest edge leaves */
+    uint32_t put_off[2];   /* X, Y: how much later than planned its pulse begins, and so ends */
+    uint32_t late, latest; /* edges that left late; by how much at most */
 } a;
 
-uint32_t hal_now(void) {
-    if (a.planning) return a.plan;
+static inline bool full(void) {
+    return a.head - a.tail >= AHEAD_EDGES;
+}
+
+static inline uint32_t later(uint32_t t, uint32_t u) {
+    return hal_before(t, u) ? u : t;
+}
+
+static uint32_t locked_now(void) {
     uint32_t state = irq_lock();
     uint32_t now = port_now();
     irq_unlock(state);
     return now;
 }
 
+uint32_t hal_now(void) {
+    return a.planning ? a.plan : locked_now();
+}
+
+/* The alarm for the next edge, or for the planner if that is earlier. Interrupts off, or in the writer. */
+static void set_alarm(uint32_t now) {
+    bool any = a.head != a.tail;
+    uint32_t at = a.ring[a.tail % AHEAD_EDGES].at - AHEAD_ENTRY;
+    if (a.armed && !full()) {
+        uint32_t wake = a.plan + a.skew - AHEAD_WINDOW / 2;
+        if (!hal_before(now, wake))
+            pendsv_pend();
+        else if (!any || hal_before(wake, at)) {
+            any = true;
+            at = wake;
+        }
+    }
+    if (any) port_alarm(at);
+}
+
+/* When an edge leaves is settled here: its tick, but AHEAD_GAP after the one before it, and a pulse keeps its width. */
 void hal_pins_write(uint32_t mask, uint32_t value) {
     if (!a.planning) {
         port_pins(mask, value);
         return;
     }
-    a.newest = a.plan + a.skew;
-    a.ring[a.head++ % AHEAD_EDGES] = (edge_t){a.newest, (uint8_t)mask, (uint8_t)value};
+    uint32_t state = irq_lock();
+    uint32_t tick = a.plan + a.skew, at = tick;
+    const uint32_t falls = mask & ~value, rises = mask & value;
+    if (falls & HAL_X_STEP) at = later(at, tick + a.put_off[0]);
+    if (falls & HAL_Y_STEP) at = later(at, tick + a.put_off[1]);
+    const bool first = a.head == a.tail;
+    at = first && !hal_before(a.newest, at) ? at : later(at, a.newest + AHEAD_GAP);
+    if (rises & HAL_X_STEP) a.put_off[0] = at - tick;
+    if (rises & HAL_Y_STEP) a.put_off[1] = at - tick;
+    a.newest = at;
+    a.ring[a.head % AHEAD_EDGES] = (edge_t){at, (uint8_t)mask, (uint8_t)value};
+    a.head = a.head + 1;
+    if (first) port_alarm(at - AHEAD_ENTRY);
+    irq_unlock(state);
 }
 
 void hal_timer_arm(uint32_t at) {
@@ -52,7 +97,7 @@ void hal_timer_arm(uint32_t at) {
     a.skew = 0;
     a.plan = at;
     a.armed = true;
-    port_alarm(port_now());
+    pendsv_pend();
     irq_unlock(state);
 }
 
@@ -70,85 +115,70 @@ uint32_t ahead_latest(void) {
     return a.latest;
 }
 
-/* The plan slips: what is in the ring and all that follows. */
-static void slip(uint32_t by) {
+/* The edges from `from` to the tail left late. If that is more than the motors may notice, all that follows is put off;
+ * else only the ends of the pulses that began, and what would then come too close. */
+static void left_late(uint32_t from, uint32_t late) {
     a.late++;
-    if (by > a.latest) a.latest = by;
-    a.skew += by;
-    a.newest += by;
-    for (uint32_t i = a.tail; i != a.head; i++) a.ring[i % AHEAD_EDGES].tick += by;
-}
-
-/* By how much a pulse that ends with these falls began late: so much later it ends, at least. */
-static inline uint32_t began_late(uint32_t falls) {
-    uint32_t late = falls & HAL_X_STEP ? a.began_late[0] : 0;
-    if (falls & HAL_Y_STEP && a.began_late[1] > late) late = a.began_late[1];
-    return late;
-}
-
-/* Writes the oldest edge at its tick, or as late as need be for full pulses, and goes on while the next one comes soon;
- * the way from one write to the next is kept short. A step of the other motor that comes within AHEAD_MERGE leaves
- * in the same write, at the later of the two ticks. Returns the tick of the last write. */
-static uint32_t write_edges(void) {
-    uint32_t tail = a.tail, now;
-    const uint32_t head = a.head;
-    do {
-        const edge_t *e = &a.ring[tail++ % AHEAD_EDGES];
-        uint32_t tick = e->tick, mask = e->mask, value = e->value;
-        uint32_t due = tick + began_late(mask & ~value);
-        if (tail != head) {
-            const edge_t *next = &a.ring[tail % AHEAD_EDGES];
-            if (next->tick - tick <= AHEAD_MERGE && !((mask | next->mask) & ~STEPS) && !(mask & next->mask)) {
-                uint32_t due2 = next->tick + began_late(next->mask & ~(uint32_t)next->value);
-                if (hal_before(due, due2)) due = due2;
-                mask |= next->mask;
-                value |= next->value;
-                tail++;
-            }
-        }
-        now = port_wait(due);
-        port_pins(mask, value);
-        uint32_t late = now - tick, rises = mask & value;
-        if (rises & HAL_X_STEP) a.began_late[0] = late;
-        if (rises & HAL_Y_STEP) a.began_late[1] = late;
-        if (late > AHEAD_SLACK) {
-            a.tail = tail;
-            slip(late);
-        }
-    } while (tail != head && (int32_t)(a.ring[tail % AHEAD_EDGES].tick - now) < AHEAD_SOON);
-    a.tail = tail;
-    return now;
-}
-
-static void plan_edge(void) {
-    a.planning = true;
-    a.armed = false;
-    stepgen_isr();
-    a.planning = false;
-}
-
-void ahead_isr(void) {
-    uint32_t now = port_now();
-    for (;;) {
-        int32_t to_edge = AHEAD_WINDOW;
-        if (a.head != a.tail) {
-            to_edge = (int32_t)(a.ring[a.tail % AHEAD_EDGES].tick - now);
-            if (to_edge < AHEAD_SOON) {
-                now = write_edges();
-                continue;
-            }
-        }
-        int32_t to_plan = (int32_t)(a.plan + a.skew - now);
-        bool room = a.head - a.tail < AHEAD_EDGES;
-        if (a.armed && room && to_plan < AHEAD_WINDOW && to_edge > AHEAD_COST + AHEAD_ENTRY) {
-            plan_edge();
-            now = port_now();
-            continue;
-        }
-        /* Back for the edge, or half a window before the next deadline to plan it, whichever is earlier. */
-        int32_t in = to_edge - AHEAD_ENTRY;
-        if (a.armed && room && (a.head == a.tail || to_plan - AHEAD_WINDOW / 2 < in)) in = to_plan - AHEAD_WINDOW / 2;
-        if (a.armed || a.head != a.tail) port_alarm(now + (uint32_t)in);
+    if (late > a.latest) a.latest = late;
+    if (late > AHEAD_SLACK) {
+        a.skew += late;
+        a.newest += late;
+        for (uint32_t i = a.tail; i != a.head; i++) a.ring[i % AHEAD_EDGES].at += late;
         return;
     }
+    uint32_t high = 0, before = 0;
+    for (uint32_t i = from; i != a.head; i++) {
+        edge_t *e = &a.ring[i % AHEAD_EDGES];
+        const uint32_t ends = e->mask & ~(uint32_t)e->value & high;
+        high = (high & ~ends) | (e->mask & e->value);
+        if (ends || (int32_t)(i - a.tail) < 0) e->at += late;
+        if (i != from) e->at = later(e->at, before + AHEAD_GAP);
+        before = e->at;
+    }
+    if (high & HAL_X_STEP) a.put_off[0] += late;
+    if (high & HAL_Y_STEP) a.put_off[1] += late;
+    a.newest = before;
+}
+
+/* Edges, until leaving pays. Those that come close together, up to both motors' beginning and ending a pulse, are made
+ * ready before the first is waited for, so that no more than AHEAD_GAP lies between two. */
+void ahead_write_isr(void) {
+    uint32_t now = port_now();
+    while (a.head != a.tail) {
+        ready_t ready[CHAIN];
+        const uint32_t from = a.tail;
+        const edge_t *e = &a.ring[from % AHEAD_EDGES];
+        if ((int32_t)(e->at - now) > AHEAD_SOON) break;
+        uint32_t n = 0, at;
+        do {
+            at = e->at;
+            ready[n++] = (ready_t){port_raw(at), e->mask, e->value};
+            e = &a.ring[(from + n) % AHEAD_EDGES];
+        } while (n < CHAIN && from + n != a.head && e->at - at < AHEAD_CHAIN);
+        for (const ready_t *r = ready; r < ready + n; r++) {
+            port_until(r->raw);
+            port_pins(r->mask, r->value);
+        }
+        a.tail = from + n;
+        now = port_now();
+        if (now - at > 2 * AHEAD_GAP) left_late(from, now - at);
+    }
+    set_alarm(now);
+}
+
+void ahead_plan_isr(void) {
+    uint32_t now = locked_now();
+    while (a.armed && !full()) {
+        if ((int32_t)(a.plan + a.skew - now) >= AHEAD_WINDOW) {
+            now = locked_now();
+            if ((int32_t)(a.plan + a.skew - now) >= AHEAD_WINDOW) break;
+        }
+        a.planning = true;
+        a.armed = false;
+        stepgen_isr();
+        a.planning = false;
+    }
+    uint32_t state = irq_lock();
+    set_alarm(port_now());
+    irq_unlock(state);
 }

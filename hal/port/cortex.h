@@ -26,6 +26,17 @@ static inline void irq_priority(unsigned n, uint32_t level) {
     *r = (*r & ~(0xffu << shift)) | level << (shift + 6);
 }
 
+/* PendSV and SysTick: the system's own exceptions that have a level. */
+static inline void pendsv_priority(uint32_t level) {
+    SHPR3 = (SHPR3 & ~0xff0000u) | level << 22;
+}
+static inline void systick_priority(uint32_t level) {
+    SHPR3 = (SHPR3 & ~0xff000000u) | level << 30;
+}
+static inline void pendsv_pend(void) {
+    ICSR = 1u << 28;
+}
+
 static inline uint32_t irq_lock(void) {
     uint32_t state;
     __asm volatile("mrs %0, primask\n cpsid i" : "=r"(state)::"memory");

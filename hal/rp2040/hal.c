@@ -35,7 +35,7 @@ void hal_invert(uint32_t pins, uint32_t inputs) {
 
 void port_timer_isr(void) {
     TIMER_INTR = 2;
-    ahead_isr();
+    ahead_write_isr();
 }
 
 /* Sleeps until an interrupt, 1 ms at most. One that came before, but after its cause was looked for, ends the sleep
@@ -200,6 +200,8 @@ void hal_start(void) {
     clock_start();
     p.inputs = hal_inputs();
     for (uint32_t i = FIRST_INPUT; i < FIRST_INPUT + 4; i++) GPIO_INTE(i) |= GPIO_EDGES(i);
+    pendsv_priority(1);
+    irq_priority(PORT_IRQ_SWITCHES, 1);
     irq_priority(PORT_IRQ_UART, 2);
     TIMER_INTE = 3;
     irq_priority(PORT_IRQ_WAKE, 3);

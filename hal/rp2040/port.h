@@ -11,10 +11,10 @@
 #include "hal/hal.h"
 #include "hal/rp2040/regs.h"
 
-#define AHEAD_ENTRY 28
-#define AHEAD_COST 72
+#define AHEAD_ENTRY 48
+#define AHEAD_GAP 4
+#define AHEAD_CHAIN 24
 #define AHEAD_SLACK 48
-#define AHEAD_MERGE 6
 
 #define FIRST_PIN 2
 #define CLOCK_SLICE 7
@@ -39,11 +39,13 @@ static inline uint32_t port_now(void) {
     return coarse + (uint32_t)(int16_t)(uint16_t)(PWM_CTR(CLOCK_SLICE) - port.phase - coarse);
 }
 
-static inline uint32_t port_wait(uint32_t at) {
-    uint32_t now;
-    do now = port_now();
-    while ((int32_t)(now - at) < 0);
-    return now;
+/* The counter then. */
+static inline uint32_t port_raw(uint32_t at) {
+    return (at + port.phase) << 16;
+}
+
+static inline void port_until(uint32_t raw) {
+    while ((int32_t)((PWM_CTR(CLOCK_SLICE) << 16) - raw) < 0) continue;
 }
 
 /* Two microseconds ahead at least: an alarm that has gone by while it is written would come in an hour. */

@@ -1,5 +1,6 @@
 /* vectors.c - the vector table of the RP2040. */
 #include "firmware/start.h"
+#include "hal/port/ahead.h"
 #include "port.h"
 
 static void unexpected(void) {
@@ -12,7 +13,7 @@ __attribute__((section(".vectors"), used)) static void (*const vectors[16 + 32])
     [2] = unexpected, /* NMI */
     [3] = unexpected, /* the hard fault */
     [11] = unexpected,
-    [14] = unexpected,
+    [14] = ahead_plan_isr,
     [15] = unexpected,
     [16 + PORT_IRQ_WAKE] = port_wake_isr,
     [16 + PORT_IRQ_TIMER] = port_timer_isr,
