@@ -167,7 +167,15 @@ static int add_trapezoid(bands_t *b, int32_t x0, int32_t x1, band_t t) {
     return err;
 }
 
-int bands_add(bands_t *b, const bands_line_t *line, int32_t n, int below) {
+/* The same less `inset` at the top and the bottom; where nothing is left of an end it is a point. */
+static int add_inset(bands_t *b, int32_t x0, int32_t x1, band_t t, int32_t inset) {
+    if (inset == 0) return add_trapezoid(b, x0, x1, t);
+    const int32_t d0 = pencil_min(inset, (t.hi0 - t.lo0) / 2), d1 = pencil_min(inset, (t.hi1 - t.lo1) / 2);
+    if (d0 < inset && d1 < inset) return 0;
+    return add_trapezoid(b, x0, x1, (band_t){t.lo0 + d0, t.lo1 + d1, t.hi0 - d0, t.hi1 - d1});
+}
+
+int bands_add(bands_t *b, const bands_line_t *line, int32_t n, int below, int32_t inset) {
     int32_t cut[2 * BANDS_LINES], cuts = 0;
     for (int32_t k = 0; k < n; k++) { /* sorted insertion: there are few */
         for (int e = 0; e < 2; e++) {
@@ -196,7 +204,7 @@ int bands_add(bands_t *b, const bands_line_t *line, int32_t n, int below) {
                 if (found == 2 && x < x1) { /* a twisted facet: two triangles */
                     int32_t w;
                     meet(x0, x1, x, (const int32_t[2]){f0, f1}, (const int32_t[2]){v0, v1}, &w);
-                    int err = add_trapezoid(b, x0, x, (band_t){pencil_min(f0, v0), w, pencil_max(f0, v0), w});
+                    int err = add_inset(b, x0, x, (band_t){pencil_min(f0, v0), w, pencil_max(f0, v0), w}, inset);
                     if (err != 0) return err;
                     x0 = x;
                     t = (band_t){w, pencil_min(f1, v1), w, pencil_max(f1, v1)};
@@ -206,7 +214,7 @@ int bands_add(bands_t *b, const bands_line_t *line, int32_t n, int below) {
         if (found == 1 && below > 0) t.lo0 = t.lo1 = ENVELOPE_FLOOR;
         if (found == 1 && below < 0) t.hi0 = t.hi1 = ENVELOPE_LIMIT;
         if (found == 0 || (found == 1 && below == 0)) continue;
-        int err = add_trapezoid(b, x0, x1, t);
+        int err = add_inset(b, x0, x1, t, inset);
         if (err != 0) return err;
     }
     return 0;

@@ -1,6 +1,12 @@
 /* cells.c - see cells.h. */
 #include "hidden/cells.h"
 
+#include "hidden/sides.h"
+
+/* Where edges of two layers coincide the later one's facet is taken that much lower and less high: the first one's edge
+ * is drawn, neither none nor both. */
+#define COINCIDING (2 * ENVELOPE_NOISE + 1)
+
 /* Which edges of a cell face the eye: a column or -1, a line or -1. */
 typedef struct near_edges {
     int32_t column;
@@ -24,12 +30,30 @@ static int outline(sweep_t *s, layer_t *l, int32_t i) {
     l->lines = 0;
     take_layer(s, l);
     s->edges.outline_only = true;
-    for (int k = 0; k < 2 && err == 0; k++) {
-        err = sweep_column_edge(s, l, i + k);
-        if (err == 0) err = sweep_row_edge(s, l, k, i);
-    }
+    for (int side = 0; side < SIDES && err == 0; side++) err = side_clip(s, l, i, side);
     s->edges.outline_only = false;
     l->lines = s->edges.lines;
+    return err;
+}
+
+static bool faces_eye(near_edges_t near, int32_t i, int side) {
+    return side_is_column(side) ? i + side / 2 == near.column : side / 2 == near.line;
+}
+
+/* Clips a side in a vertical plane through the eye: of the other layers' facets in the cell only the edges in the same
+ * plane count. */
+static int clip_vertical(sweep_t *s, layer_t *l, int32_t i, int side) {
+    edges_t *e = &s->edges;
+    bands_t *filter = e->filter;
+    e->filter = NULL;
+    e->shade = s->shade;
+    for (int32_t k = 0; k < s->layers; k++) {
+        const layer_t *o = &s->layer[k];
+        if (o != l && o->present) e->shades += side_shade(s, l, o, i, side, e->shade + e->shades);
+    }
+    int err = side_clip(s, l, i, side);
+    e->shades = 0;
+    e->filter = filter;
     return err;
 }
 
@@ -37,15 +61,12 @@ static int outline(sweep_t *s, layer_t *l, int32_t i) {
 static int clip_edges(sweep_t *s, layer_t *l, int32_t i, near_edges_t near, bool are_near) {
     int err = 0;
     take_layer(s, l);
-    for (int k = 0; k < 2 && err == 0; k++) {
-        if (!l->column_done[i + k] && (i + k == near.column) == are_near) {
-            l->column_done[i + k] = 1;
-            err = sweep_column_edge(s, l, i + k);
-        }
-        if (err == 0 && !l->row_done[k][i] && (k == near.line) == are_near) {
-            l->row_done[k][i] = 1;
-            err = sweep_row_edge(s, l, k, i);
-        }
+    for (int side = 0; side < SIDES && err == 0; side++) {
+        uint8_t *done = side_done(l, i, side);
+        if (*done || faces_eye(near, i, side) != are_near) continue;
+        *done = 1;
+        err =
+            s->layers > 1 && side_is_vertical(s, l, i, side) ? clip_vertical(s, l, i, side) : side_clip(s, l, i, side);
     }
     return err;
 }
@@ -61,12 +82,38 @@ static bool is_hidden(sweep_t *s, layer_t *l, int32_t i) {
         most = (pencil_t){pencil_max(most.a, o->q.a), k == 0 ? high : pencil_max(most.w, high)};
     }
     if (!bands_hide(&s->edges.bands, least.a, most.a, least.w, most.w)) return false;
-    uint8_t *done[4] = {&l->column_done[i], &l->column_done[i + 1], &l->row_done[0][i], &l->row_done[1][i]};
-    for (int k = 0; k < 4; k++) {
-        s->edges.clipped += !*done[k];
-        *done[k] = 1;
+    for (int side = 0; side < SIDES; side++) {
+        s->edges.clipped += !*side_done(l, i, side);
+        *side_done(l, i, side) = 1;
     }
     return true;
+}
+
+/* Have two layers' facets an edge in common? */
+static bool coincide(const sweep_t *s, const layer_t *l, const layer_t *m, int32_t i) {
+    for (int side = 0; side < SIDES; side++) {
+        if (side_coincides(s, l, m, i, side)) return true;
+    }
+    return false;
+}
+
+/* Where two layers have the same edge, at least one of them with a facet in this cell, the first that has one draws it;
+ * and if either has, nobody does again. */
+static void share_coinciding(sweep_t *s, int32_t i) {
+    for (int32_t m = 1; m < s->layers; m++) {
+        for (int32_t k = 0; k < m; k++) {
+            layer_t *a = &s->layer[k], *b = &s->layer[m];
+            if (!a->present && !b->present) continue;
+            for (int side = 0; side < SIDES; side++) {
+                uint8_t *a_done = side_done(a, i, side), *b_done = side_done(b, i, side);
+                if (*a_done && *b_done) continue;
+                if (!side_coincides(s, a, b, i, side)) continue;
+                const bool done = *a_done || *b_done;
+                if (done || a->present) *b_done = 1;
+                if (done || !a->present) *a_done = 1;
+            }
+        }
+    }
 }
 
 /* Clips a layer's edges against the cells before, and against the other layers' facets in this one. */
@@ -77,7 +124,8 @@ static int clip_among_others(sweep_t *s, int32_t m, int32_t i, near_edges_t near
         const layer_t *o = &s->layer[k];
         if (k == m || !o->present) continue;
         int err = others ? 0 : edges_filter(e, &s->local, s->local_pool, s->local_words);
-        if (err == 0) err = bands_add(&s->local, o->outline, o->lines, o->seen);
+        const int32_t inset = k > m && coincide(s, &s->layer[m], o, i) ? COINCIDING : 0;
+        if (err == 0) err = bands_add(&s->local, o->outline, o->lines, o->seen, inset);
         if (err != 0) return err;
         others = true;
     }
@@ -98,6 +146,7 @@ static int cell(sweep_t *s, int32_t i, near_edges_t near) {
         err = outline(s, l, i);
         if (err == 0 && is_hidden(s, l, i)) l->present = false;
     }
+    share_coinciding(s, i);
     for (int32_t m = 0; m < s->layers && err == 0; m++) {
         if (s->layer[m].present) err = clip_edges(s, &s->layer[m], i, near, true);
     }
@@ -106,7 +155,7 @@ static int cell(sweep_t *s, int32_t i, near_edges_t near) {
     }
     for (int32_t m = 0; m < s->layers && err == 0; m++) {
         const layer_t *l = &s->layer[m];
-        if (l->present) err = bands_add(&s->edges.bands, l->outline, l->lines, l->seen);
+        if (l->present) err = bands_add(&s->edges.bands, l->outline, l->lines, l->seen, 0);
     }
     s->facets += present;
     return err;

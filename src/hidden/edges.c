@@ -16,6 +16,35 @@ static int32_t scale_q30(int32_t whole, int32_t part_q30) {
     return (int32_t)(((int64_t)whole * part_q30 + (1 << 29)) >> 30);
 }
 
+/* The shade that hides the edge at `at`: moves at to its end and returns true; otherwise *next is where the next one
+ * begins, no farther than it was. */
+static bool in_shade(const edges_t *e, int32_t *at, int32_t *next) {
+    for (int32_t k = 0; k < e->shades; k++) {
+        const shade_t *v = &e->shade[k];
+        if (v->to_q30 <= *at || v->from_q30 >= v->to_q30) continue;
+        if (v->from_q30 <= *at) {
+            *at = v->to_q30;
+            return true;
+        }
+        *next = pencil_min(*next, v->from_q30);
+    }
+    return false;
+}
+
+/* Adds what of [from, to] lies in no shade. */
+static int add_lit(edges_t *e, int32_t from, int32_t to) {
+    const edges_edge_t *k = &e->edge;
+    const int64_t base = k->cell * INK_ONE;
+    while (from < to) {
+        int32_t next = to;
+        if (in_shade(e, &from, &next)) continue;
+        int err = runs_add(&e->runs, k->run, k->family, k->line, base + from, base + next);
+        if (err != 0) return err;
+        from = next;
+    }
+    return 0;
+}
+
 /* Takes a visible part, in fractions of the chart, and places it on the edge in space. */
 static int take_part(void *ctx, envelope_part_t part) {
     edges_t *e = ctx;
@@ -30,9 +59,7 @@ static int take_part(void *ctx, envelope_part_t part) {
         from = scale_q30(k->way_q30, from);
         to = scale_q30(k->way_q30, to);
     }
-    from += k->start_q30, to += k->start_q30;
-    if (from >= to) return 0;
-    return runs_add(&e->runs, k->run, k->family, k->line, k->cell * INK_ONE + from, k->cell * INK_ONE + to);
+    return add_lit(e, k->start_q30 + from, k->start_q30 + to);
 }
 
 /* Takes the part [s0, s1] of the edge without asking what is in front of it. */
@@ -125,7 +152,7 @@ static int32_t steep_limit(const edges_t *e, int sector, place_t p, place_t q, b
 /* The part [s0, s1] of an edge, steeper than the chart allows: nothing is in front of it unless it be another surface.
  * It bounds what is covered as the steepest line of sight would; there is none right below the eye. */
 static int take_steep(edges_t *e, pencil_t at0, pencil_t at1, int32_t s0, int32_t s1) {
-    const bool charted = at0.a != CHART_NONE && at1.a != CHART_NONE;
+    const bool charted = at0.a != CHART_NONE && at1.a != CHART_NONE && at0.a != at1.a;
     int err = e->several && charted ? 0 : take_unseen(e, s0, s1);
     if (err != 0 || !charted) return err;
     at0.w = at1.w = at0.w < 0 ? -PENCIL_LIMIT : PENCIL_LIMIT;

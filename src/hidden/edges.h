@@ -7,6 +7,7 @@
 #include "hidden/bands.h"
 #include "hidden/horizons.h"
 #include "hidden/runs.h"
+#include "hidden/shade.h"
 #include "view/chart.h"
 
 /* The edge being clipped: where its intervals go. End 0 has the smaller index. */
@@ -34,6 +35,9 @@ typedef struct edges {
     bands_line_t line;
     bool right;
     envelope_part_t window;
+    /* Of an edge in a vertical plane through the eye: what the other surfaces' edges beside it hide, in no order. */
+    shade_t *shade;
+    int32_t shades;
     int64_t clipped;
     runs_t runs;
     edges_edge_t edge;

@@ -11,6 +11,9 @@
 /* Words for the facets of one cell: each cuts it at no more abscissae than it has lines' ends. */
 #define LOCAL_WORDS(n) ((n) > 1 ? (size_t)2 * BANDS_LINES * (size_t)(3 + 4 * (n)) : 0)
 
+/* What they hide of a vertical edge. */
+#define SHADES(n) ((size_t)2 * (size_t)(n))
+
 typedef struct lender {
     uint8_t *mem;
     size_t left;
@@ -31,7 +34,7 @@ static void *lend(lender_t *l, size_t bytes) {
 size_t sweep_bytes(int32_t nx, int32_t layers, bool gaps) {
     const size_t column = LAYER_BYTES + AROUND_BYTES + (gaps ? FLAGS : 0), rounding = 8 * (5 + FLAGS);
     return (size_t)layers * (sizeof(layer_t) + (size_t)nx * column + rounding) + (size_t)nx * sizeof(chart_column_t) +
-           16 + LOCAL_WORDS(layers) * sizeof(int32_t);
+           16 + LOCAL_WORDS(layers) * sizeof(int32_t) + (layers > 1 ? SHADES(layers) * sizeof(shade_t) : 0);
 }
 
 static void lay_out(layer_t *l, lender_t *from, size_t nx, bool around, bool gaps) {
@@ -69,6 +72,7 @@ int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam,
     }
     s->local_words = LOCAL_WORDS(n);
     s->local_pool = lend(&from, s->local_words * sizeof(int32_t));
+    s->shade = n > 1 ? lend(&from, SHADES(n) * sizeof(shade_t)) : NULL;
     if (from.mem == NULL) return ERR_FULL;
     s->fixed = job->bytes - from.left;
     e->several = n > 1;

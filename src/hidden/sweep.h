@@ -40,6 +40,7 @@ typedef struct sweep {
     bands_t local;        /* cells.c: the other surfaces' facets in the cell at hand */
     int32_t *local_pool;
     size_t local_words;
+    shade_t *shade; /* what they hide of a vertical edge: two for each */
     int64_t facets;
     size_t fixed; /* bytes of lent memory before the horizons */
 } sweep_t;

@@ -71,7 +71,7 @@ static void test_random(void **state) {
                 r[k][s].q = (pencil_t){a0 + wide, below(1 << 29) - (1 << 28)};
             }
             if (k > 0 && below(3) == 0) r[k][0] = r[k - 1][1], r[k][1].p.a = r[k][0].p.a, r[k][1].q.a = r[k][0].q.a;
-            assert_int_equal(bands_add(&b, r[k], 2, 0), 0);
+            assert_int_equal(bands_add(&b, r[k], 2, 0, 0), 0);
             bands_line_t e = {{below(1 << 30) - (1 << 29), below(1 << 29) - (1 << 28)},
                               {0, below(1 << 29) - (1 << 28)}};
             e.q.a = e.p.a + 100 + below(1 << 27);
@@ -115,7 +115,7 @@ static void test_no_cracks(void **state) {
             int32_t a = k * 7001 - 140020, w = row * 5003;
             bands_line_t cell[2] = {{{a, w + k * 11}, {a + 7001, w + (k + 1) * 11}},
                                     {{a, w + 5003 + k * 11}, {a + 7001, w + 5003 + (k + 1) * 11}}};
-            assert_int_equal(bands_add(&b, cell, 2, 0), 0);
+            assert_int_equal(bands_add(&b, cell, 2, 0, 0), 0);
         }
         before = (int32_t)((b.l - b.base) + (b.end - b.r));
     }
@@ -139,7 +139,7 @@ static void test_full(void **state) {
             int32_t a = below(1000) * 1000 - 500000;
             bands_line_t r[2] = {{{a, below(100000)}, {a + 90000, below(100000)}},
                                  {{a, -below(100000)}, {a + 90000, -below(100000)}}};
-            err = bands_add(&b, r, 2, k % 3 - 1);
+            err = bands_add(&b, r, 2, k % 3 - 1, 0);
         }
         assert_true(err == 0 || err == ERR_FULL);
         full += err != 0;

@@ -74,6 +74,7 @@ static void make(scene_t *s, int round) {
     if (!s->perspective) { /* a direction */
         s->eye[0] = 2 * uniform() - 1, s->eye[1] = -1, s->eye[2] = 1.4 * uniform() - 0.4;
     }
+    if (round % 3 == 1 && round % 7 != 3) s->eye[0] = nearbyint(s->eye[0]); /* often in a plane of grid lines */
 }
 
 static bool has_facet(const scene_t *s, int m, int i, int j) {
@@ -98,7 +99,7 @@ static int truth(const scene_t *s, int own, const double p[3]) {
     for (int k = 0; k < 3; k++) dir[k] = s->perspective ? s->eye[k] - p[k] : s->eye[k];
     cut[cuts++] = 0;
     for (int axis = 0; axis < 2; axis++) {
-        for (int k = 0; k < N; k++) {
+        for (int k = 0; k < N && dir[axis] != 0; k++) {
             double t = (k - p[axis]) / dir[axis];
             if (t > 1e-7 && (!s->perspective || t < 1)) cut[cuts++] = t;
         }
@@ -114,6 +115,7 @@ static int truth(const scene_t *s, int own, const double p[3]) {
         double t0 = cut[c], t1 = cut[c + 1], tm = (t0 + t1) / 2;
         int i = (int)floor(p[0] + tm * dir[0]), j = (int)floor(p[1] + tm * dir[1]);
         if (t1 - t0 < 1e-6) return 0;
+        if (dir[0] == 0 && i == N - 1) i--; /* along the last column: seen from its one side */
         for (int m = 0; m < s->surfaces; m++) {
             if (!has_facet(s, m, i, j)) continue;
             double at[2][2] = {{p[0] + t0 * dir[0], p[1] + t0 * dir[1]}, {p[0] + t1 * dir[0], p[1] + t1 * dir[1]}};
