@@ -25,8 +25,9 @@ static size_t kernel_part(size_t arena_bytes) {
  */
 static size_t hiding_bytes(const plot_t *plot, int32_t each, bool holes) {
     const settings_t *s = plot->settings;
+    if (plot->kind == PLOT_SOLIDS && s->hidden != HIDDEN_HORIZON) return picture_solids_bytes(plot);
     if (plot->kind == PLOT_CURVES || s->hidden == HIDDEN_NONE) return 0;
-    if (plot->kind == PLOT_MESH || s->hidden == HIDDEN_HORIZON) return horizon_bytes(each * s->samples[0]);
+    if (s->hidden == HIDDEN_HORIZON) return horizon_bytes(each * s->samples[0]);
     const surface_t *f = &plot->item[0].surface;
     size_t one = perimeter_bytes(f->nx, each * (f->nx + f->ny) * (holes || plot->n > 1 ? 3 : 1));
     return one * (size_t)plot->n;
@@ -60,17 +61,17 @@ static void add_base_plane(const settings_t *s, bool reverse, num_t *lo, num_t *
 int picture_camera(picture_t *p, const num_t lo[3], const num_t hi[3]) {
     const settings_t *s = p->plot->settings;
     const range_t *range[3] = {&s->x, &s->y, &s->z};
-    view_box_t box;
+    view_box_t box = {.solid = p->plot->kind == PLOT_SOLIDS && !picture_is_terrain(p->plot)};
     for (int k = 0; k < 3; k++) {
         box.lo[k] = lo[k];
         box.hi[k] = hi[k];
-        box.reverse[k] = range[k]->reverse;
-        if (s->view.from) continue;
+        box.reverse[k] = !box.solid && range[k]->reverse;
+        if (s->view.from || box.solid) continue;
         int err = autoscale_range(range[k], s->tics & SETTINGS_TICS_X << k, &box.lo[k], &box.hi[k]);
         if (err) return err;
     }
     bool base = s->border_base || (s->tics & (SETTINGS_TICS_X | SETTINGS_TICS_Y));
-    if (!s->view.from && base) add_base_plane(s, box.reverse[2], &box.lo[2], &box.hi[2]);
+    if (!s->view.from && base && !box.solid) add_base_plane(s, box.reverse[2], &box.lo[2], &box.hi[2]);
     int err = camera_setup(&p->camera, s, &box);
     if (err) return err;
     if (p->hooks && p->hooks->begin) p->hooks->begin(p->hooks->ctx, &p->camera);
@@ -127,7 +128,9 @@ static int run(picture_t *p, const pen_sink_t *pen) {
     int err;
     if (plot->kind == PLOT_CURVES)
         err = picture_curves(p, pen);
-    else if (plot->kind == PLOT_MESH || plot->settings->hidden == HIDDEN_HORIZON)
+    else if (plot->kind == PLOT_SOLIDS && !picture_is_terrain(plot))
+        err = picture_solids(p, pen);
+    else if (plot->settings->hidden == HIDDEN_HORIZON)
         err = picture_profiles(p, pen);
     else
         err = picture_surfaces(p, pen);
@@ -176,6 +179,7 @@ size_t picture_bytes(const plot_t *plot) {
         if (plot->kind == PLOT_SURFACES) points += (size_t)item->surface.nx * (size_t)item->surface.ny;
         if (plot->kind == PLOT_CURVES) points += (size_t)item->curve.n;
     }
+    if (plot->kind == PLOT_SOLIDS) points += hiding_bytes(plot, EACH_ROUGH, true) / sizeof(int32_t);
     if (plot->settings->hidden == HIDDEN_HORIZON)
         points += (size_t)plot->settings->samples[0] * (size_t)plot->settings->isosamples[1];
     /* A run a point covers all but the roughest surfaces; a quarter of the rest goes to the kernel. */

@@ -21,6 +21,7 @@
 #include "view/flat_map.h"
 #include "view/page_map.h"
 #include "view/profile_map.h"
+#include "view/solid_map.h"
 
 #define PICTURE_LINES_MAX (2 * CONFIG_PLOT_ITEMS + 1) /* rows and columns of each item, and a frame */
 
@@ -82,6 +83,10 @@ typedef struct picture {
             profiles_mesh_t mesh;
             profiles_cache_t profiles_cache;
             profile_map_t profile_map;
+        };
+        struct {
+            solid_t solid;
+            solid_map_t solid_map;
         };
         struct {
             flat_axes_t axes;

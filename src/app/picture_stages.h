@@ -8,6 +8,13 @@
 int picture_surfaces(picture_t *p, const pen_sink_t *pen); /* picture_surfaces.c */
 int picture_profiles(picture_t *p, const pen_sink_t *pen); /* picture_profiles.c */
 int picture_curves(picture_t *p, const pen_sink_t *pen);   /* picture_curves.c */
+int picture_solids(picture_t *p, const pen_sink_t *pen);   /* picture_solids.c */
+/* Bytes that putting solids together and hiding their lines takes, but for freakish scenes. */
+size_t picture_solids_bytes(const plot_t *plot);
+/* A terrain that is cut into profiles? Otherwise PLOT_SOLIDS are solids. */
+static inline bool picture_is_terrain(const plot_t *plot) {
+    return plot->kind == PLOT_SOLIDS && plot->settings->hidden == HIDDEN_HORIZON;
+}
 
 /* The axes' box for a scene that reaches from lo to hi (x, y, z), and from it the camera. Rotation views take gnuplot's
  * box: whole tics on autoscaled axes, and the base plane below. */

@@ -17,6 +17,7 @@ enum ink_family {
     INK_COL,     /* x = x_i: line is i, the parameter counts rows */
     INK_PROFILE, /* profile `line` of a horizon scene, the parameter counts its vertices */
     INK_CURVE,   /* a flat polyline: curves of `plot`, axes, annotations */
+    INK_SEGMENT, /* a straight line in space: edge `line` of a scene of solids, the parameter ends at INK_ONE */
 };
 
 typedef struct ink_piece {

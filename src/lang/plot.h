@@ -14,7 +14,7 @@
 enum plot_kind {
     PLOT_SURFACES, /* splot of expressions and data grids */
     PLOT_CURVES,   /* plot */
-    PLOT_MESH,     /* splot of one triangulated terrain */
+    PLOT_SOLIDS,   /* splot of OBJ files: solids, or with HIDDEN_HORIZON a terrain */
 };
 
 typedef struct plot_item {

@@ -1,4 +1,5 @@
-/* plot_data.c - from a file or inline rows of a plot command to grids, curves or a terrain in the session's pool. */
+/* plot_data.c - from a file or inline rows of a plot command to grids, curves or solids in the session's pool. */
+#include "lang/plot_options.h"
 #include "lang/session_parts.h"
 
 /* A using expression asks for a column of the row at hand: what is not there is undefined. */
@@ -18,7 +19,30 @@ static num_t compute(void *ctx, int32_t part) {
     return value_num(v);
 }
 
-void plot_data_start(session_t *s, session_source_t *src, bool inline_data, int32_t first_line) {
+/* What is not supported in a file of solids. */
+static void notice(void *ctx, int32_t line, const char *text, int32_t len) {
+    char where[40];
+    text_t t = text_start(where, sizeof where);
+    text_add(&t, "line ");
+    text_add_int(&t, line);
+    text_add(&t, " of the data: ");
+    session_warn(ctx, where, text, (size_t)len, " is not supported, and left out");
+}
+
+static int start_solid(session_t *s, session_source_t *src, bool inline_data, int32_t first_line) {
+    src->grids = 0;
+    affine_identity(&s->plot.affine);
+    lexer_t lx;
+    lexer_start(&lx, src->name.text + src->moves, src->moves ? src->name.len - src->moves : 0);
+    int err = plot_options_moves(s, &lx, &s->plot.affine);
+    obj_reader_start(&s->plot.obj, &s->pool, src->moves ? &s->plot.affine : NULL, inline_data, first_line);
+    s->plot.obj.notice = notice;
+    s->plot.obj.notice_ctx = s;
+    return err;
+}
+
+int plot_data_start(session_t *s, session_source_t *src, bool inline_data, int32_t first_line) {
+    if (src->solid) return start_solid(s, src, inline_data, first_line);
     src->first_grid = s->plot.grids;
     src->spec.compute = compute;
     src->spec.ctx = s;
@@ -27,6 +51,14 @@ void plot_data_start(session_t *s, session_source_t *src, bool inline_data, int3
     s->plot.data_error = 0;
     data_reader_start(&s->plot.reader, &src->spec, &s->pool, s->plot.grid + s->plot.grids,
                       s->plot.curve + s->plot.grids, CONFIG_PLOT_ITEMS - s->plot.grids, inline_data, first_line);
+    return 0;
+}
+
+int plot_data_feed(session_t *s, const char *text, size_t n, bool *stopped) {
+    const session_source_t *src = &s->plot.source[s->plot.next];
+    int err = src->solid ? obj_reader_feed(&s->plot.obj, text, n) : data_reader_feed(&s->plot.reader, text, n);
+    *stopped = src->solid ? s->plot.obj.stopped : s->plot.reader.stopped;
+    return err ? plot_data_failed(s, src, err) : 0;
 }
 
 /* A reader's error, in the data's own lines. */
@@ -40,6 +72,8 @@ static int trouble(session_t *s, const session_source_t *src, int err, enum data
 
 int plot_data_failed(session_t *s, const session_source_t *src, int err) {
     const data_reader_t *r = &s->plot.reader;
+    const obj_reader_t *obj = &s->plot.obj;
+    if (src->solid) return trouble(s, src, err, obj->trouble, obj->line, obj->at);
     s->lang.column = NULL;
     return trouble(s, src, err, r->trouble, r->line, r->at);
 }
@@ -47,6 +81,12 @@ int plot_data_failed(session_t *s, const session_source_t *src, int err) {
 /* The data of source[next] are complete. */
 int plot_data_done(session_t *s) {
     session_source_t *src = &s->plot.source[s->plot.next];
+    if (src->solid) {
+        int err = obj_reader_finish(&s->plot.obj, &s->plot.mesh[s->plot.next]);
+        if (err) return plot_data_failed(s, src, err);
+        s->plot.next++;
+        return 0;
+    }
     int n = data_reader_finish(&s->plot.reader);
     if (n < 0) return plot_data_failed(s, src, n);
     s->lang.column = NULL;
@@ -61,30 +101,14 @@ int plot_data_done(session_t *s) {
     return 0;
 }
 
-/* A terrain comes alone. */
-static int read_mesh(session_t *s, session_source_t *src, int handle) {
+static int read_all(session_t *s, session_source_t *src, int handle) {
     session_chunk_t *c = &s->frame_chunk[0];
     const session_port_t *port = s->port;
-    obj_reader_t r;
-    obj_reader_start(&r, &s->pool);
-    int err = 0;
+    int err = plot_data_start(s, src, false, 0);
+    bool stopped;
     for (int n; !err && (n = port->read(port->ctx, handle, c->bytes, CONFIG_READ_CHUNK)) != 0;)
-        err = n < 0 ? n : obj_reader_feed(&r, c->bytes, (size_t)n);
-    if (!err) err = obj_reader_finish(&r, &s->plot.mesh);
-    if (err) return trouble(s, src, err, r.trouble, r.line, r.at);
-    s->plot.kind = PLOT_MESH;
-    s->plot.next++;
-    return 0;
-}
-
-static int read_grids(session_t *s, session_source_t *src, int handle) {
-    session_chunk_t *c = &s->frame_chunk[0];
-    const session_port_t *port = s->port;
-    plot_data_start(s, src, false, 0);
-    int err = 0;
-    for (int n; !err && (n = port->read(port->ctx, handle, c->bytes, CONFIG_READ_CHUNK)) != 0;)
-        err = n < 0 ? n : data_reader_feed(&s->plot.reader, c->bytes, (size_t)n);
-    return err ? plot_data_failed(s, src, err) : plot_data_done(s);
+        err = n < 0 ? plot_data_failed(s, src, n) : plot_data_feed(s, c->bytes, (size_t)n, &stopped);
+    return err ? err : plot_data_done(s);
 }
 
 int plot_data_read(session_t *s, session_source_t *src) {
@@ -93,7 +117,7 @@ int plot_data_read(session_t *s, session_source_t *src) {
     int handle = s->port->open(s->port->ctx, name);
     if (handle < 0)
         return lang_error_set_name(&s->error, handle, src->column, "cannot read the data file", name, strlen(name));
-    int err = src->kind == SOURCE_MESH ? read_mesh(s, src, handle) : read_grids(s, src, handle);
+    int err = read_all(s, src, handle);
     s->port->close(s->port->ctx, handle);
     return err;
 }

@@ -80,10 +80,12 @@ static int data_item(session_t *s, const session_source_t *src, const data_grid_
 int plot_items(session_t *s) {
     int n = 0;
     num_t lo[2], hi[2];
-    if (s->plot.kind == PLOT_MESH) {
-        const session_source_t *src = &s->plot.source[0];
-        s->plot.item[0] = (plot_item_t){.title = src->title, .title_len = src->title_len, .mesh = s->plot.mesh};
-        return 1;
+    if (s->plot.kind == PLOT_SOLIDS) {
+        for (int32_t k = 0; k < s->plot.sources; k++) {
+            const session_source_t *src = &s->plot.source[k];
+            s->plot.item[k] = (plot_item_t){.title = src->title, .title_len = src->title_len, .mesh = s->plot.mesh[k]};
+        }
+        return s->plot.sources;
     }
     bool function = false;
     for (int32_t k = 0; k < s->plot.sources; k++) function |= s->plot.source[k].kind == SOURCE_EXPR;

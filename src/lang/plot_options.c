@@ -2,6 +2,8 @@
 #include "lang/plot_options.h"
 #include "lang/session_parts.h"
 
+#include "scene/affine.h"
+
 #define INDEX_MAX 1000000000
 
 static int twice(session_t *s, const lexer_t *lx, bool *seen) {
@@ -120,6 +122,11 @@ int plot_options_data(session_t *s, lexer_t *lx, session_source_t *src) {
             lexer_next(lx);
             err = twice(s, &word, &seen_using);
             if (!err) err = using(s, lx, src);
+        } else if (lexer_is_name(lx, "solid") || lexer_is_name(lx, "obj")) {
+            lexer_next(lx);
+            if (src->spec.format != DATA_ROWS || seen_using || seen_index || seen_every)
+                err = session_fail(s, &word, ERR_SYNTAX, "a solid is neither a matrix nor columns");
+            src->solid = true;
         } else if (words_find(other, lx) >= 0) {
             return lang_error_set_name(&s->error, ERR_UNSUPPORTED, lexer_column(lx), "not supported", lexer_text(lx),
                                        lx->tok.len);
@@ -132,6 +139,29 @@ int plot_options_data(session_t *s, lexer_t *lx, session_source_t *src) {
         }
         if (err) return err;
     }
+}
+
+int plot_options_moves(session_t *s, lexer_t *lx, affine_t *a) {
+    static const word_t words[] = {{"translate", 0}, {"rotate", 1}, {"scale", 2}, {NULL, 0}};
+    static void (*const move[])(affine_t *, const num_t[3]) = {affine_translate, affine_rotate, affine_scale};
+    for (int which; (which = words_find(words, lx)) >= 0;) {
+        lexer_t word = *lx;
+        lexer_next(lx);
+        num_t by[3];
+        for (int k = 0; k < 3; k++) {
+            if (which == 2 && k == 1 && lx->tok.kind != ',') {
+                by[1] = by[2] = by[0];
+                break;
+            }
+            if (k > 0 && !lexer_accept(lx, ',')) return lexer_unexpected(lx, &s->error, "three numbers X,Y,Z expected");
+            int err = expr_number(&s->lang, lx, &by[k], &s->error);
+            if (err) return err;
+        }
+        if (which == 2 && (num_sign(by[0]) == 0 || num_sign(by[1]) == 0 || num_sign(by[2]) == 0))
+            return session_fail(s, &word, ERR_VALUE, "a scale of 0 leaves nothing");
+        move[which](a, by);
+    }
+    return 0;
 }
 
 static int title(session_t *s, lexer_t *lx, session_source_t *src) {

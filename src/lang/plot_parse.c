@@ -68,7 +68,9 @@ static int data_name(session_t *s, lexer_t *lx, session_source_t *src) {
     if (n < 0)
         return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "the file's name is too long; most bytes",
                                      CONFIG_NAME_MAX);
-    src->kind = ends_in(name, n, ".obj") || ends_in(name, n, ".OBJ") ? SOURCE_MESH : SOURCE_FILE;
+    static const char *const solid[] = {".obj", ".OBJ", ".stl", ".STL", ".off", ".OFF"};
+    for (size_t k = 0; k < sizeof solid / sizeof solid[0]; k++) src->solid |= ends_in(name, n, solid[k]);
+    src->kind = SOURCE_FILE;
     if (strcmp(name, "-") == 0) {
         src->kind = SOURCE_INLINE;
     } else if (strcmp(name, "+") == 0 || strcmp(name, "++") == 0) {
@@ -80,8 +82,21 @@ static int data_name(session_t *s, lexer_t *lx, session_source_t *src) {
         while (before >= s->plot.source && before->kind != SOURCE_FILE) before--;
         if (before < s->plot.source) return session_fail(s, lx, ERR_VALUE, "no file was named before this");
         src->name = before->name;
+        src->solid = before->solid;
     }
     lexer_next(lx);
+    return 0;
+}
+
+/* translate, rotate and scale, tried out here; plot_data.c reads them again. */
+static int moves(session_t *s, lexer_t *lx, session_source_t *src) {
+    affine_t a;
+    affine_identity(&a);
+    lexer_t at = *lx;
+    int err = plot_options_moves(s, lx, &a);
+    if (err || at.tok.start == lx->tok.start) return err;
+    if (!src->solid) return session_fail(s, &at, ERR_UNSUPPORTED, "only solids can be moved");
+    src->moves = at.tok.start;
     return 0;
 }
 
@@ -98,6 +113,7 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
         err = data_name(s, lx, src);
         src->title_len = (int32_t)(src->name.tok.len);
         if (!err) err = plot_options_data(s, lx, src);
+        if (!err) err = moves(s, lx, src);
     } else if (lx->tok.kind == '$') {
         return session_fail(s, lx, ERR_UNSUPPORTED, "data blocks are not supported; use '-' or a file");
     } else if (lexer_is_name(lx, "for") || lexer_is_name(lx, "keyentry") || lexer_is_name(lx, "sample")) {
@@ -146,12 +162,13 @@ int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind) {
     if (s->plot.sources == 0) return session_fail(s, &word, ERR_SYNTAX, "an expression or a file to draw expected");
     for (int32_t k = 0; k < s->plot.sources && !err; k++) {
         const session_source_t *src = &s->plot.source[k];
-        if (src->kind == SOURCE_EXPR)
-            err = try_out(s, src);
-        else if (src->kind == SOURCE_MESH && kind == PLOT_CURVES)
-            err = lang_error_set(&s->error, ERR_UNSUPPORTED, src->column, "a terrain is drawn by splot");
-        else if (src->kind == SOURCE_MESH && s->plot.sources > 1)
-            err = lang_error_set(&s->error, ERR_UNSUPPORTED, src->column, "a terrain is drawn alone");
+        if (src->kind == SOURCE_EXPR) err = try_out(s, src);
+        if (src->solid && kind == PLOT_CURVES)
+            err = lang_error_set(&s->error, ERR_UNSUPPORTED, src->column, "solids are drawn by splot");
+        else if (src->solid != s->plot.source[0].solid)
+            err =
+                lang_error_set(&s->error, ERR_UNSUPPORTED, src->column, "solids and surfaces need plots of their own");
     }
+    if (s->plot.source[0].solid) s->plot.kind = PLOT_SOLIDS;
     return err;
 }

@@ -56,9 +56,9 @@ static int go_on(session_t *s) {
         if (src->kind == SOURCE_EXPR || s->plot.next < s->plot.kept) {
             s->plot.next++;
         } else if (src->kind == SOURCE_INLINE) {
-            plot_data_start(s, src, true, s->frame[s->frames - 1].line);
-            s->plot.waiting = true;
-            return 0;
+            err = plot_data_start(s, src, true, s->frame[s->frames - 1].line);
+            s->plot.waiting = !err;
+            return err;
         } else {
             err = plot_data_read(s, src);
         }
@@ -123,12 +123,8 @@ int plot_replot(session_t *s, lexer_t *lx) {
 }
 
 int plot_feed(session_t *s, const char *text, size_t n, bool *stopped) {
-    *stopped = false;
-    int err = data_reader_feed(&s->plot.reader, text, n);
-    if (err) return plot_data_failed(s, &s->plot.source[s->plot.next], err);
-    if (!s->plot.reader.stopped) return 0;
-    *stopped = true;
-    return plot_feed_end(s);
+    int err = plot_data_feed(s, text, n, stopped);
+    return err || !*stopped ? err : plot_feed_end(s);
 }
 
 int plot_feed_end(session_t *s) {

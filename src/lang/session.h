@@ -67,7 +67,8 @@ typedef struct session_chunk {
 
 /* One element of a plot command, as it was typed. */
 typedef struct session_source {
-    enum { SOURCE_EXPR, SOURCE_FILE, SOURCE_INLINE, SOURCE_MESH } kind;
+    enum { SOURCE_EXPR, SOURCE_FILE, SOURCE_INLINE } kind;
+    bool solid;     /* a file or inline data of vertices and faces */
     int32_t column; /* of the element's first character, for messages */
     lexer_t name;   /* at the file's name, or at the expression */
     const char *title;
@@ -76,6 +77,7 @@ typedef struct session_source {
     expr_t part[3]; /* of using */
     data_spec_t spec;
     int32_t first_grid, grids; /* of data */
+    uint32_t moves;            /* where `translate` and the like begin in the line of `name`, or 0 */
 } session_source_t;
 
 /* What stands behind one surface or curve while it is drawn. */
@@ -118,10 +120,18 @@ typedef struct session {
         session_work_t work[CONFIG_PLOT_ITEMS];
         plot_item_t item[CONFIG_PLOT_ITEMS];
         data_grid_t grid[CONFIG_PLOT_ITEMS];
-        data_curve_t curve[CONFIG_PLOT_ITEMS];
         int32_t grids;
-        data_reader_t reader;
-        mesh_t mesh;
+        union { /* of `plot`; of a splot of solids, by element */
+            data_curve_t curve[CONFIG_PLOT_ITEMS];
+            mesh_t mesh[CONFIG_PLOT_ITEMS];
+        };
+        union { /* the data being read */
+            data_reader_t reader;
+            struct {
+                obj_reader_t obj;
+                affine_t affine;
+            };
+        };
         uint8_t code[CONFIG_PLOT_CODE];
     } plot;
     data_pool_t pool;

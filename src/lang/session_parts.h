@@ -65,9 +65,10 @@ int help_command(session_t *s, lexer_t *lx);
 
 /* plot_parse.c: the whole command becomes s->plot.source[]; nothing is read or drawn. lx: behind the command's word. */
 int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind);
-/* plot_data.c: start reading the data of src; the data of source[next] are complete; the reader's error, in the data's
- * own lines; a whole file. */
-void plot_data_start(session_t *s, session_source_t *src, bool inline_data, int32_t first_line);
+/* plot_data.c: start reading the data of src; characters of them (*stopped: the line `e` was among them); the data of
+ * source[next] are complete; the reader's error, in the data's own lines; a whole file. */
+int plot_data_start(session_t *s, session_source_t *src, bool inline_data, int32_t first_line);
+int plot_data_feed(session_t *s, const char *text, size_t n, bool *stopped);
 int plot_data_done(session_t *s);
 int plot_data_failed(session_t *s, const session_source_t *src, int err);
 int plot_data_read(session_t *s, session_source_t *src);

@@ -207,6 +207,7 @@ int set_unset_command(session_t *s, lexer_t *lx) {
         return 0;
     case SET_HIDDEN3D:
         set->hidden = HIDDEN_NONE;
+        set->dashed = false;
         return 0;
     case SET_ISOSAMPLES:
         memcpy(set->isosamples, fresh.isosamples, sizeof fresh.isosamples);

@@ -94,7 +94,10 @@ int set_hidden3d(session_t *s, lexer_t *lx) {
                                    {"offset", 1},     {"off$set", 1},     {"tri$anglepattern", 1},
                                    {"undef$ined", 1}, {NULL, 0}};
     enum hidden_mode mode = HIDDEN_PERIMETER;
+    static const word_t solids[] = {
+        {"conv$ex", HIDDEN_CONVEX}, {"halo", HIDDEN_HALO}, {"area", HIDDEN_AREA}, {NULL, 0}};
     bool infinite = false;
+    int word;
     if (lexer_is_almost(lx, "peri$meter")) {
         lexer_next(lx);
     } else if (lexer_is_almost(lx, "hor$izon")) {
@@ -105,7 +108,10 @@ int set_hidden3d(session_t *s, lexer_t *lx) {
     } else if (lexer_is_name(lx, "none")) {
         lexer_next(lx);
         mode = HIDDEN_NONE;
-    } else {
+    } else if ((word = words_find(solids, lx)) >= 0) {
+        lexer_next(lx);
+        mode = (enum hidden_mode)solids[word].id;
+    } else if (!lexer_is_almost(lx, "dash$ed")) {
         for (int i; (i = words_find(taken, lx)) >= 0;) {
             lexer_next(lx);
             if (taken[i].id == 0) continue;
@@ -114,8 +120,13 @@ int set_hidden3d(session_t *s, lexer_t *lx) {
             if (err) return err;
         }
     }
-    if (!session_at_end(lx)) return lexer_unexpected(lx, &s->error, "perimeter, horizon [infinite] or none expected");
+    bool dashed = lexer_is_almost(lx, "dash$ed");
+    if (dashed) lexer_next(lx);
+    if (!session_at_end(lx))
+        return lexer_unexpected(lx, &s->error,
+                                "perimeter, horizon [infinite], convex, halo, area, none or dashed expected");
     s->settings.hidden = mode;
+    s->settings.dashed = dashed;
     s->settings.horizon_infinite = infinite;
     return 0;
 }

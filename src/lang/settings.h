@@ -14,9 +14,12 @@ typedef struct range {
 } range_t;
 
 enum hidden_mode {
-    HIDDEN_PERIMETER, /* default for splot */
+    HIDDEN_PERIMETER, /* default: perimeter for surfaces, convex for solids */
     HIDDEN_HORIZON,
     HIDDEN_NONE,
+    HIDDEN_CONVEX, /* this and the next two are for solids; surfaces take the perimeter */
+    HIDDEN_HALO,
+    HIDDEN_AREA,
 };
 
 enum settings_tics { SETTINGS_TICS_X = 1, SETTINGS_TICS_Y = 2, SETTINGS_TICS_Z = 4, SETTINGS_TICS_ALL = 7 };
@@ -26,6 +29,7 @@ typedef struct settings {
     int32_t samples[2];    /* set samples a,b; 100,100 */
     int32_t isosamples[2]; /* set isosamples a,b; 10,10 */
     enum hidden_mode hidden;
+    bool dashed;           /* set hidden3d dashed: hidden parts of solids are drawn with dashes */
     bool horizon_infinite; /* set hidden3d horizon infinite: upper side only */
     struct {
         bool from;           /* set view from ...: perspective; otherwise gnuplot's rotation */

@@ -51,8 +51,12 @@ static void show_view(text_t *t, const settings_t *set) {
 static void show_hidden(text_t *t, const settings_t *set) {
     static const char *const name[] = {[HIDDEN_PERIMETER] = "set hidden3d perimeter",
                                        [HIDDEN_HORIZON] = "set hidden3d horizon",
-                                       [HIDDEN_NONE] = "unset hidden3d"};
+                                       [HIDDEN_NONE] = "unset hidden3d",
+                                       [HIDDEN_CONVEX] = "set hidden3d convex",
+                                       [HIDDEN_HALO] = "set hidden3d halo",
+                                       [HIDDEN_AREA] = "set hidden3d area"};
     text_add(t, name[set->hidden]);
+    if (set->dashed) text_add(t, " dashed");
     text_add(t, set->hidden == HIDDEN_HORIZON && set->horizon_infinite ? " infinite\n" : "\n");
 }
 

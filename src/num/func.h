@@ -20,6 +20,7 @@ num_t func_pow(num_t a, num_t b);   /* 2^-54.3; 3,050. a < 0 only with an intege
                                      * |b| < 128 and whole is multiplied out, b = +-1/2 is a square root. */
 num_t func_sin(num_t a);            /* 2^-55.7 for every a: next to multiples of pi, at 1e15, at 1e300; 1,820 */
 num_t func_cos(num_t a);            /* likewise */
+num_t func_sin_degrees(num_t a);    /* of an angle in degrees: exact at whole quarter turns, 2^-52 */
 num_t func_tan(num_t a);            /* 2^-55.7 for every a; 3,950 */
 num_t func_asin(num_t a);           /* |a| <= 1; 2^-57; 5,500 */
 num_t func_acos(num_t a);           /* |a| <= 1; 2^-57, next to 1 too */

@@ -144,7 +144,7 @@ int path_init(path_t *p, void *mem, size_t bytes, const path_config_t *c, const 
 static int take_piece(void *ctx, const ink_piece_t *piece) {
     path_t *p = ctx;
     if (piece->from_q30 < 0 || piece->to_q30 >= RUN_T_LIMIT || piece->from_q30 > piece->to_q30) return ERR_VALUE;
-    if (piece->family > INK_CURVE) return ERR_VALUE;
+    if (piece->family > INK_SEGMENT) return ERR_VALUE;
     return join_piece(&p->join, piece);
 }
 

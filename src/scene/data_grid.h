@@ -35,7 +35,7 @@ enum data_grid_trouble { /* why a point was refused */
                          DATA_TWO_COLUMNS, /* neither z nor x y z */
                          DATA_SHORT,       /* a row without a column that is wanted */
                          DATA_TEXT,        /* a field is not a number */
-                         DATA_VERTEX,      /* obj_reader: a triangle of vertices that do not exist */
+                         DATA_VERTEX,      /* obj_reader: a vertex that does not exist */
 };
 
 typedef struct data_grid {

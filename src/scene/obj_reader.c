@@ -4,10 +4,15 @@
 #include "scene/field.h"
 #include <string.h>
 
-_Static_assert(sizeof(packed_t) == 2 * sizeof(int32_t), "a triangle is one and a half units of the pool");
+_Static_assert(sizeof(packed_t) == 2 * sizeof(int32_t), "two words are a unit of the pool");
 
-void obj_reader_start(obj_reader_t *r, data_pool_t *pool) {
-    *r = (obj_reader_t){.pool = pool, .line = 1};
+#define WORDS_MOST (INT32_MAX / 4) /* so that heads have room for their kind */
+
+void obj_reader_start(obj_reader_t *r, data_pool_t *pool, const affine_t *affine, bool inline_data,
+                      int32_t first_line) {
+    *r = (obj_reader_t){.pool = pool, .affine = affine, .inline_data = inline_data, .line = first_line + 1};
+    r->mesh.top = (const int32_t *)(const void *)(pool->base + pool->high);
+    r->mesh.vertex = (const packed_t(*)[3])(const void *)(pool->base + pool->low);
 }
 
 static int refuse(obj_reader_t *r, enum data_grid_trouble why) {
@@ -16,17 +21,24 @@ static int refuse(obj_reader_t *r, enum data_grid_trouble why) {
     return why == DATA_FULL ? ERR_FULL : ERR_DATA;
 }
 
-/* Pool units that f triangles take at the upper end. */
-static size_t face_units(int32_t f) {
-    return ((size_t)f * 3 + 1) / 2;
+/* Pool units that so many words take at the upper end. */
+static size_t word_units(int32_t words) {
+    return ((size_t)words + 1) / 2;
 }
 
-static bool has_room(const obj_reader_t *r, int32_t nv, int32_t nf) {
-    return (size_t)nv * 3 + face_units(nf) <= r->pool->high - r->pool->low;
+static bool has_room(const obj_reader_t *r, int32_t nv, int32_t words) {
+    return (size_t)nv * 3 + word_units(words) <= r->pool->high - r->pool->low;
 }
 
-static int32_t *face(const obj_reader_t *r, int32_t k) {
-    return (int32_t *)(void *)(r->pool->base + r->pool->high) - 3 * ((size_t)k + 1);
+static int push(obj_reader_t *r, int32_t value) {
+    mesh_t *m = &r->mesh;
+    if (m->words == WORDS_MOST || !has_room(r, m->nv, m->words + 1)) return refuse(r, DATA_FULL);
+    *((int32_t *)(void *)(r->pool->base + r->pool->high) - 1 - m->words++) = value;
+    return 0;
+}
+
+static void set_head(obj_reader_t *r, enum mesh_kind kind, int32_t count) {
+    *((int32_t *)(void *)(r->pool->base + r->pool->high) - 1 - r->head) = count << 2 | (int32_t)kind;
 }
 
 static int number(obj_reader_t *r) {
@@ -35,13 +47,18 @@ static int number(obj_reader_t *r) {
     const char *p = r->token;
     field_next(&f, &p, r->token + r->token_len);
     num_t a = field_finish(&f) == FIELD_VALUE ? field_num(&f) : num_undef();
-    if (a.undef) return refuse(r, DATA_TEXT);
-    r->vertex[r->words - 1] = packed_from_num(a);
-    if (r->vertex[r->words - 1] == PACKED_HOLE) return refuse(r, DATA_TEXT);
+    if (a.undef || packed_from_num(a) == PACKED_HOLE) return refuse(r, DATA_TEXT);
+    r->vertex[r->words - 1] = a;
     if (r->words < 3) return 0;
-    if (r->nv == INT32_MAX / 3 || !has_room(r, r->nv + 1, r->nf)) return refuse(r, DATA_FULL);
-    memcpy(r->pool->base + r->pool->low + (size_t)r->nv * 3, r->vertex, sizeof r->vertex);
-    r->nv++;
+    mesh_t *m = &r->mesh;
+    if (m->nv == INT32_MAX / 3 || !has_room(r, m->nv + 1, m->words)) return refuse(r, DATA_FULL);
+    if (r->affine) affine_apply(r->affine, r->vertex);
+    packed_t *to = r->pool->base + r->pool->low + (size_t)m->nv * 3;
+    for (int axis = 0; axis < 3; axis++) {
+        to[axis] = packed_from_num(r->vertex[axis]);
+        if (to[axis] == PACKED_HOLE) return refuse(r, DATA_TEXT);
+    }
+    m->nv++;
     return 0;
 }
 
@@ -55,42 +72,87 @@ static int corner(obj_reader_t *r) {
         v = v * 10 + (r->token[i] - '0');
     }
     if (i == digits || (i < r->token_len && r->token[i] != '/')) return refuse(r, DATA_TEXT);
-    v = negative ? r->nv - v : v - 1;
-    if (v < 0 || v >= r->nv) return refuse(r, DATA_VERTEX);
-    if (r->words == 1) r->first = v;
-    if (r->words >= 3 && v != r->first && v != r->before && r->first != r->before) {
-        if (r->nf == INT32_MAX / 3 || !has_room(r, r->nv, r->nf + 1)) return refuse(r, DATA_FULL);
-        int32_t *f = face(r, r->nf++);
-        f[0] = r->first;
-        f[1] = r->before;
-        f[2] = v;
+    v = negative ? r->mesh.nv - v : v - 1;
+    if (v < 0 || v >= r->mesh.nv) return refuse(r, DATA_VERTEX);
+    return push(r, v);
+}
+
+/* Lines that only concern looks. */
+static bool is_passed(const char *word, size_t n) {
+    static const char *const passed[] = {"vt",  "vn", "s",     "usemtl",   "mtllib",   "usemap",     "maplib",
+                                         "lod", "mg", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+    for (size_t k = 0; k < sizeof passed / sizeof passed[0]; k++)
+        if (strlen(passed[k]) == n && memcmp(passed[k], word, n) == 0) return true;
+    return false;
+}
+
+/* Names a word once; those that are not OBJ's at all share a bit. */
+static void name_unsupported(obj_reader_t *r) {
+    static const char *const known[] = {"p",     "vp",   "deg",  "bmat", "step",  "cstype", "curv",
+                                        "curv2", "surf", "parm", "trim", "hole",  "scrv",   "sp",
+                                        "end",   "con",  "call", "csh",  "ctech", "stech",  "merge"};
+    size_t k = 0, n = sizeof known / sizeof known[0], len = (size_t)r->token_len;
+    while (k < n && !(strlen(known[k]) == len && memcmp(known[k], r->token, len) == 0)) k++;
+    uint32_t bit = (uint32_t)1 << k;
+    if (!(r->named & bit) && r->notice) r->notice(r->notice_ctx, r->line, r->token, r->token_len);
+    r->named |= bit;
+}
+
+static int first_word(obj_reader_t *r) {
+    static const char taken[] = "vflog";
+    const char *c = r->token_len == 1 ? memchr(taken, r->token[0], sizeof taken - 1) : NULL;
+    r->what = c ? *c : '\0';
+    if (r->inline_data && r->token_len == 1 && (r->token[0] == 'e' || r->token[0] == 'E')) {
+        r->what = 'e';
+        return 0;
     }
-    r->before = v;
+    if (r->what == 'f' || r->what == 'l' || r->what == 'o' || r->what == 'g') {
+        r->head = r->mesh.words;
+        int err = push(r, 0);
+        if (err) return err;
+        set_head(r, MESH_OBJECT, 0);
+    } else if (!r->what && !is_passed(r->token, (size_t)r->token_len)) {
+        name_unsupported(r);
+    }
     return 0;
 }
 
 static int end_word(obj_reader_t *r) {
     if (r->token_len == 0) return 0;
     int err = 0;
-    if (r->words == 0) {
-        bool known = r->token_len == 1 && (r->token[0] == 'v' || r->token[0] == 'f');
-        r->what = known ? r->token[0] : '\0';
-    } else if (r->what == 'v' && r->words <= 3) {
+    if (r->words == 0)
+        err = first_word(r);
+    else if (r->what == 'v' && r->words <= 3)
         err = number(r);
-    } else if (r->what == 'f') {
+    else if (r->what == 'f' || r->what == 'l')
         err = corner(r);
-    }
     r->words++;
     r->token_len = 0;
     return err;
 }
 
+static int end_element(obj_reader_t *r) {
+    mesh_t *m = &r->mesh;
+    int32_t count = r->words - 1;
+    r->token_at = 0;
+    if (r->what == 'e' && r->words == 1) r->stopped = true;
+    if (r->what == 'v' && count < 3) return refuse(r, DATA_SHORT);
+    if (r->what == 'f') {
+        if (count < 3) return refuse(r, DATA_SHORT);
+        set_head(r, MESH_FACE, count);
+        m->faces++;
+        m->corners += count;
+    } else if (r->what == 'l') {
+        if (count < 2) return refuse(r, DATA_SHORT);
+        set_head(r, MESH_LINE, count);
+        m->segments += count - 1;
+    }
+    return 0;
+}
+
 static int end_line(obj_reader_t *r) {
     int err = end_word(r);
-    if (!err && r->what && r->words > 0 && r->words <= 3) {
-        r->token_at = 0;
-        err = refuse(r, DATA_SHORT);
-    }
+    if (!err && r->words > 0) err = end_element(r);
     if (err) return err;
     r->line++;
     r->at = r->words = 0;
@@ -99,39 +161,47 @@ static int end_line(obj_reader_t *r) {
     return 0;
 }
 
-int obj_reader_feed(obj_reader_t *r, const char *text, size_t n) {
-    for (size_t i = 0; i < n; i++) {
-        char c = text[i];
-        int err = 0;
-        r->at++;
+static int take(obj_reader_t *r, char c) {
+    r->at++;
+    if (r->joins && c != '\r') {
+        r->joins = false;
         if (c == '\n') {
-            err = end_line(r);
-        } else if (r->comment) {
-            continue;
-        } else if (c == ' ' || c == '\t' || c == '\r' || c == '#') {
-            err = end_word(r);
-            r->comment = c == '#';
-        } else {
-            if (r->token_len == 0) r->token_at = r->at;
-            if (r->token_len < (int32_t)sizeof r->token)
-                r->token[r->token_len++] = c;
-            else if (r->what)
-                err = refuse(r, DATA_TEXT);
+            r->line++;
+            r->at = 0;
+            return 0;
         }
+        r->token_at = r->at - 1;
+        if (r->what) return refuse(r, DATA_TEXT);
+    }
+    if (c == '\n') return end_line(r);
+    if (r->comment) return 0;
+    if (c == ' ' || c == '\t' || c == '\r' || c == '#' || c == '\\') {
+        r->comment = c == '#';
+        if (c == '\\') r->joins = true;
+        return end_word(r);
+    }
+    if (r->token_len == 0) r->token_at = r->at;
+    if (r->token_len < OBJ_WORD_MAX)
+        r->token[r->token_len++] = c;
+    else if (r->what)
+        return refuse(r, DATA_TEXT);
+    return 0;
+}
+
+int obj_reader_feed(obj_reader_t *r, const char *text, size_t n) {
+    for (size_t i = 0; i < n && !r->stopped; i++) {
+        int err = take(r, text[i]);
         if (err) return err;
     }
     return 0;
 }
 
 int obj_reader_finish(obj_reader_t *r, mesh_t *out) {
-    int err = end_line(r);
+    int err = r->stopped ? 0 : end_line(r);
     if (err) return err;
-    if (r->nf == 0) return ERR_EMPTY;
-    out->nv = r->nv;
-    out->nf = r->nf;
-    out->vertex = (const packed_t(*)[3])(const void *)(r->pool->base + r->pool->low);
-    out->face = (const int32_t(*)[3])(const void *)face(r, r->nf - 1);
-    r->pool->low += (size_t)r->nv * 3;
-    r->pool->high -= face_units(r->nf);
+    if (r->mesh.faces == 0 && r->mesh.segments == 0) return ERR_EMPTY;
+    *out = r->mesh;
+    r->pool->low += (size_t)r->mesh.nv * 3;
+    r->pool->high -= word_units(r->mesh.words);
     return 0;
 }

@@ -39,8 +39,7 @@ static void cross_edge(const profiles_mesh_t *s, int64_t d, int32_t a, int32_t b
     c->u[end] = num_to_fixed(dot(s->side, at[0], at[1]), s->bits, NULL);
 }
 
-static bool cut_triangle(const profiles_mesh_t *s, int64_t d, int32_t f, profiles_cut_t *c) {
-    const int32_t *v = s->mesh->face[f];
+static bool cut_triangle(const profiles_mesh_t *s, int64_t d, const int32_t v[3], profiles_cut_t *c) {
     int ends = 0;
     for (int k = 0; k < 3; k++) {
         int32_t a = v[k], b = v[(k + 1) % 3];
@@ -77,9 +76,9 @@ static void cut_mesh(profiles_mesh_t *s, int32_t k) {
     const int64_t d = depth_of(s, k);
     s->at = k;
     s->segments = s->vertices = 0;
-    for (int32_t f = 0; f < s->mesh->nf && s->segments < s->capacity; f++) {
+    mesh_walk_t w = mesh_walk(s->mesh);
+    for (int32_t f[3]; s->segments < s->capacity && mesh_triangle(&w, f);)
         s->segments += cut_triangle(s, d, f, &s->cut[s->segments]);
-    }
     sort_cuts(s->cut, s->segments);
     for (int32_t m = 0; m < s->segments; m++) {
         const profiles_cut_t *c = &s->cut[m];
@@ -112,10 +111,11 @@ static void mesh_point(void *ctx, int32_t k, int32_t v, num_t xyz[3]) {
 static int32_t fullest_profile(const profiles_mesh_t *s, int32_t *starts) {
     int32_t now = 0, most = 0;
     for (int32_t k = 0; k <= s->count; k++) starts[k] = 0;
-    for (int32_t f = 0; f < s->mesh->nf; f++) {
+    mesh_walk_t w = mesh_walk(s->mesh);
+    for (int32_t f[3]; mesh_triangle(&w, f);) {
         int64_t lo = INT64_MAX, hi = INT64_MIN;
         for (int e = 0; e < 3; e++) {
-            int64_t d = s->depth[s->mesh->face[f][e]];
+            int64_t d = s->depth[f[e]];
             lo = d < lo ? d : lo;
             hi = d > hi ? d : hi;
         }
@@ -153,7 +153,7 @@ int profiles_from_mesh(profiles_t *p, profiles_mesh_t *s, const mesh_t *mesh, co
                        void *mem, size_t bytes) {
     num_t lo[2], hi[2];
     if (count < 1) return ERR_VALUE;
-    if (mesh->nf < 1) return ERR_EMPTY;
+    if (mesh->faces < 1) return ERR_EMPTY;
     *s = (profiles_mesh_t){.mesh = mesh, .count = count, .at = -1};
     const size_t depths = (size_t)mesh->nv * sizeof(int64_t), scratch = ((size_t)count + 1) * sizeof(int32_t);
     if (bytes < depths + scratch) return ERR_FULL;

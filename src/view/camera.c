@@ -53,26 +53,29 @@ static void set_row(camera_t *cam, int row, const num_t direction[3], const num_
     cam->m[row][3] = num_neg(num_mul(dot(direction, origin), scale));
 }
 
-/* Exact at whole quarter turns, so that a view along an axis is one. */
-static num_t sin_degrees(num_t a) {
-    num_t turn = num_from_i64(360);
-    a = num_sub(a, num_mul(turn, num_floor(num_div(a, turn))));
-    num_t quarters = num_div(a, num_from_i64(90));
-    if (num_is_integer(quarters)) {
-        static const int8_t SINE[4] = {0, 1, 0, -1};
-        return num_from_i64(SINE[num_to_fixed(quarters, 0, NULL) & 3]);
+/* The largest scale at which the box's picture (rows right and up times world - origin) fits the window. */
+static num_t fit_solid(const page_window_t *w, const view_box_t *box, const num_t right[3], const num_t up[3]) {
+    const num_t *const row[2] = {right, up};
+    const int32_t room[2] = {w->x1_lat - w->x0_lat, w->y1_lat - w->y0_lat};
+    num_t scale = num_undef();
+    for (int r = 0; r < 2; r++) {
+        num_t span = num_from_i64(0);
+        for (int k = 0; k < 3; k++) span = num_add(span, num_abs(num_mul(row[r][k], num_sub(box->hi[k], box->lo[k]))));
+        num_t fits = num_div(num_from_i64(room[r] - 8), span); /* as FIT_SPARE_LAT */
+        if (!fits.undef && (scale.undef || num_cmp(fits, scale) < 0)) scale = fits;
     }
-    return func_sin(num_div(num_mul(a, func_pi()), num_from_i64(180)));
+    return scale;
 }
 
 static int setup_rotation(camera_t *cam, const settings_t *s, const view_box_t *box) {
     const num_t right_angle = num_from_i64(90);
-    const num_t sx = sin_degrees(s->view.rot_x), cx = sin_degrees(num_add(s->view.rot_x, right_angle));
-    const num_t sz = sin_degrees(s->view.rot_z), cz = sin_degrees(num_add(s->view.rot_z, right_angle));
+    const num_t sx = func_sin_degrees(s->view.rot_x), cx = func_sin_degrees(num_add(s->view.rot_x, right_angle));
+    const num_t sz = func_sin_degrees(s->view.rot_z), cz = func_sin_degrees(num_add(s->view.rot_z, right_angle));
 
     num_t unit[3], origin[3]; /* world unit -> cube unit */
     for (int k = 0; k < 3; k++) {
         num_t span = num_sub(box->hi[k], box->lo[k]);
+        if (box->solid) span = num_from_i64(2);
         unit[k] = num_div(num_from_i64(box->reverse[k] ? -2 : 2), span);
         origin[k] = middle(box, k);
     }
@@ -85,8 +88,11 @@ static int setup_rotation(camera_t *cam, const settings_t *s, const view_box_t *
     /* The cube's side is 2; gnuplot gives it 4/7 of the window at scale 1. */
     const num_t per_unit = num_mul(half(s->view.scale), num_div(num_from_i64(4), num_from_i64(7)));
     const page_window_t *w = &cam->window;
-    set_row(cam, 0, right, origin, num_mul(per_unit, num_from_i64(w->x1_lat - w->x0_lat)));
-    set_row(cam, 1, up, origin, num_mul(per_unit, num_from_i64(w->y1_lat - w->y0_lat)));
+    num_t across = num_mul(per_unit, num_from_i64(w->x1_lat - w->x0_lat));
+    num_t upward = num_mul(per_unit, num_from_i64(w->y1_lat - w->y0_lat));
+    if (box->solid) across = upward = num_mul(fit_solid(w, box, right, up), s->view.scale);
+    set_row(cam, 0, right, origin, across);
+    set_row(cam, 1, up, origin, upward);
     cam->m[0][3] = num_add(cam->m[0][3], num_from_fixed((int64_t)w->x0_lat + w->x1_lat, 1));
     cam->m[1][3] = num_add(cam->m[1][3], num_from_fixed((int64_t)w->y0_lat + w->y1_lat, 1));
     cam->m[2][3] = num_from_i64(1);

@@ -25,6 +25,7 @@
 typedef struct view_box {
     num_t lo[3], hi[3];
     bool reverse[3];
+    bool solid; /* rotation view: a unit is equally long along all axes, and at scale 1 the box fills the page */
 } view_box_t;
 
 typedef struct camera {

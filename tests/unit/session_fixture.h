@@ -113,7 +113,7 @@ static inline int fixture_plot(void *ctx, const plot_t *plot) {
     f->items = plot->n;
     f->settings = *plot->settings;
     f->points = 0;
-    if (plot->kind == PLOT_MESH) {
+    if (plot->kind == PLOT_SOLIDS) {
         f->mesh = plot->item[0].mesh;
         return f->plot_result;
     }

@@ -327,15 +327,19 @@ static void curves_of_data(void **state) {
 static void terrains_are_meshes(void **state) {
     fixture_t *f = *state;
     fixture_file(f, 0, "t.obj",
-                 "# a roof\no roof\nv 0 0 1.5\nv 1 0 2 # with a weight\r\nv 1 1 -3e0 1.0\nv 0 1 4\nvn 0 0 1\nvt 0 0\n"
-                 "f 1/1/1 2//1 3/2\nf -4 -2 -1\nf 1 1 2\nv 2 0 7\nv 2 1 8\nf 1 2 3 4\nf 2 5 6 3");
+                 "# a roof\nmtllib x\\y.mtl\no roof\nv 0 0 1.5\nv 1 0 2 # with a weight\r\nv 1 1 -3e0 1.0\nv 0 1 4\nvn "
+                 "0 0 1\nvt 0 0\n"
+                 "f 1/1/1 2//1 3/2\nf -4 \\\n -2 -1\nf 1 1 2\nv 2 0 7\nv 2 1 8\nf 1 2 3 4\nf 2 5 6 3");
     assert_int_equal(fixture_feed(f, "splot 't.obj' with lines"), 0);
-    assert_int_equal(f->kind, PLOT_MESH);
+    assert_int_equal(f->kind, PLOT_SOLIDS);
     assert_int_equal(f->mesh.nv, 6);
-    assert_int_equal(f->mesh.nf, 6);
-    int32_t sum = 0;
-    for (int k = 0; k < 6; k++)
-        for (int c = 0; c < 3; c++) sum += f->mesh.face[k][c];
+    assert_int_equal(f->mesh.faces, 5);
+    assert_int_equal(f->mesh.corners, 17);
+    int32_t sum = 0, triangles = 0;
+    mesh_walk_t walk = mesh_walk(&f->mesh);
+    for (int32_t v[3]; mesh_triangle(&walk, v); triangles++)
+        for (int c = 0; c < 3; c++) sum += v[c];
+    assert_int_equal(triangles, 6);
     assert_int_equal(sum, 3 + 5 + 3 + 5 + 10 + 8);
     assert_true(fixture_double(packed_num(f->mesh.vertex[2][2])) == -3);
     assert_true(fixture_double(packed_num(f->mesh.vertex[5][0])) == 2);
@@ -358,7 +362,7 @@ static void terrains_are_meshes(void **state) {
     fixture_file(f, 0, "t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3");
     for (size_t units = 0; units < 13; units++) {
         session_init(&f->session, &f->port, f->pool, units * 8);
-        assert_int_equal(fixture_feed(f, "splot 't.obj'"), units < 11 ? ERR_FULL : 0); /* 9 for vertices, 1.5 */
+        assert_int_equal(fixture_feed(f, "splot 't.obj'"), units < 11 ? ERR_FULL : 0); /* 9 for vertices, 2 */
     }
     assert_int_equal(fixture_feed(f, "splot 't.obj', x*y"), ERR_UNSUPPORTED);
 }

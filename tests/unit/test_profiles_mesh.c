@@ -34,7 +34,7 @@ static double value(num_t a) {
 
 static packed_t vertex[N * N][3];
 static double xyz[N * N][3];
-static int32_t face[2 * (N - 1) * (N - 1)][3];
+static int32_t face[2 * (N - 1) * (N - 1)][3], words[4 * 2 * (N - 1) * (N - 1)];
 
 /* A jittered grid inside a straight border. */
 static mesh_t terrain(int missing) {
@@ -63,14 +63,24 @@ static mesh_t terrain(int missing) {
             }
         }
     }
-    return (mesh_t){.nv = N * N, .nf = nf, .vertex = (const packed_t(*)[3])vertex, .face = (const int32_t(*)[3])face};
+    int32_t *top = words + sizeof words / sizeof words[0], *w = top;
+    for (int32_t f = 0; f < nf; f++) {
+        *--w = 3 << 2 | MESH_FACE;
+        for (int k = 0; k < 3; k++) *--w = face[f][k];
+    }
+    return (mesh_t){.nv = N * N,
+                    .faces = nf,
+                    .corners = 3 * nf,
+                    .words = 4 * nf,
+                    .vertex = (const packed_t(*)[3])vertex,
+                    .top = top};
 }
 
 /* Is q on an edge of the mesh, at its height? */
 static bool on_an_edge(const mesh_t *m, const double q[3]) {
-    for (int32_t f = 0; f < m->nf; f++) {
+    for (int32_t f = 0; f < m->faces; f++) {
         for (int k = 0; k < 3; k++) {
-            const double *a = xyz[m->face[f][k]], *b = xyz[m->face[f][(k + 1) % 3]];
+            const double *a = xyz[face[f][k]], *b = xyz[face[f][(k + 1) % 3]];
             double dx = b[0] - a[0], dy = b[1] - a[1];
             double t = ((q[0] - a[0]) * dx + (q[1] - a[1]) * dy) / (dx * dx + dy * dy);
             if (t < -1e-9 || t > 1 + 1e-9 || fabs((q[0] - a[0]) * dy - (q[1] - a[1]) * dx) > 1e-9) continue;
@@ -138,7 +148,7 @@ static void test_gap(void **state) {
 static void test_refusals(void **state) {
     (void)state;
     uint64_t memory[120];
-    mesh_t m = terrain(-1), none = {.nv = 3, .vertex = m.vertex, .face = m.face};
+    mesh_t m = terrain(-1), none = {.nv = 3, .vertex = m.vertex};
     camera_t cam = {.perspective = false, .eye = {num_from_i64(0), num_from_i64(-1), num_from_i64(1)}};
     profiles_t p;
     profiles_mesh_t s;

@@ -48,7 +48,7 @@ static void errors_have_a_place(void **state) {
         {"splot ''", ERR_VALUE, 1, 7, "no file"},
         {"plot '-' matrix", ERR_UNSUPPORTED, 1, 6, "matrix"},
         {"plot '-' using 1:2:3", ERR_UNSUPPORTED, 1, 20, "two"},
-        {"plot 'a.obj'", ERR_UNSUPPORTED, 1, 6, "terrain"},
+        {"plot 'a.obj'", ERR_UNSUPPORTED, 1, 6, "solids"},
         {"splot [0:1", ERR_SYNTAX, 1, 11, "']'"},
         {"splot [1:1] x", ERR_VALUE, 1, 7, "empty"},
         {"set xrange 5", ERR_SYNTAX, 1, 12, "range"},

@@ -1,0 +1,193 @@
+/* solid.c - see solid.h: from meshes to vertices, faces and free segments on the lattice; solid_join.c goes on. */
+#include "scene/solid.h"
+
+#include "error.h"
+#include "scene/solid_build.h"
+#include <string.h>
+
+/* Lent memory: what stays is taken from its lower end, what does not from its upper. */
+typedef struct lent {
+    uint8_t *low, *high;
+    bool full;
+} lent_t;
+
+static void *take(lent_t *m, int64_t n, size_t size, bool keep) {
+    size_t bytes = ((size_t)n * size + 7) & ~(size_t)7;
+    if (m->full || bytes > (size_t)(m->high - m->low)) {
+        m->full = true;
+        return NULL;
+    }
+    if (!keep) return m->high -= bytes;
+    void *at = m->low;
+    m->low += bytes;
+    return at;
+}
+
+typedef struct totals {
+    int32_t vertices, vertices_most, faces, corners, segments; /* vertices_most: of one mesh */
+} totals_t;
+
+static totals_t total(const mesh_t *const *mesh, int32_t n) {
+    totals_t t = {0};
+    for (int32_t k = 0; k < n; k++) {
+        t.vertices += mesh[k]->nv;
+        if (mesh[k]->nv > t.vertices_most) t.vertices_most = mesh[k]->nv;
+        t.faces += mesh[k]->faces;
+        t.corners += mesh[k]->corners;
+        t.segments += mesh[k]->segments;
+    }
+    return t;
+}
+
+/* Slots of a hash table for so many things. */
+static uint32_t slots_for(int32_t n) {
+    uint32_t slots = 32; /* at least one object's sums in solid_join.c and solid_convex.c */
+    while (slots / 3 * 2 <= (uint32_t)n) slots *= 2;
+    return slots;
+}
+
+size_t solid_bytes(const mesh_t *const *mesh, int32_t n) {
+    totals_t t = total(mesh, n);
+    size_t edges = (size_t)t.corners + (size_t)t.segments;
+    size_t slots = slots_for(t.vertices > (int32_t)edges ? t.vertices : (int32_t)edges);
+    return (size_t)t.vertices * sizeof(solid_vertex_t) + edges * sizeof(solid_edge_t) +
+           (size_t)t.faces * (sizeof(solid_face_t) + sizeof(solid_object_t) + 4) + (size_t)t.corners * 12 +
+           (size_t)t.vertices_most * 4 + slots * 4 + 16 * 8;
+}
+
+/* The box of all vertices that something refers to. */
+static bool measure(solid_t *s, const mesh_t *const *mesh, int32_t n) {
+    bool any = false;
+    for (int32_t k = 0; k < n; k++) {
+        mesh_walk_t w = mesh_walk(mesh[k]);
+        while (mesh_next(&w)) {
+            for (int32_t c = 0; c < w.count; c++) {
+                for (int axis = 0; axis < 3; axis++) {
+                    num_t a = packed_num(mesh[k]->vertex[mesh_at(&w, c)][axis]);
+                    if (!any || num_cmp(a, s->lo[axis]) < 0) s->lo[axis] = a;
+                    if (!any || num_cmp(a, s->hi[axis]) > 0) s->hi[axis] = a;
+                }
+                any = true;
+            }
+        }
+    }
+    return any;
+}
+
+/* Half of the box becomes at most 2^(SOLID_BITS - 1), and more than half of that. A flat box takes the scale of the
+ * largest side. */
+static int choose_scale(solid_t *s) {
+    int32_t least = INT32_MAX;
+    for (int axis = 0; axis < 3; axis++) {
+        num_t half = num_ldexp(num_sub(s->hi[axis], s->lo[axis]), -1);
+        if (half.undef) return ERR_VALUE;
+        s->origin[axis] = num_ldexp(num_add(s->lo[axis], s->hi[axis]), -1);
+        /* half < 2^(e + 63) */
+        s->shift[axis] = half.m == 0 ? INT32_MAX : SOLID_BITS - 1 - (half.e + 63);
+        if (s->shift[axis] < least) least = s->shift[axis];
+    }
+    for (int axis = 0; axis < 3; axis++)
+        if (s->shift[axis] == INT32_MAX) s->shift[axis] = least == INT32_MAX ? 0 : least;
+    return 0;
+}
+
+static uint32_t hash(uint32_t a, uint32_t b, uint32_t c) {
+    uint32_t h = a * 0x9e3779b1u ^ (b * 0x85ebca6bu + 0x27d4eb2fu) ^ c * 0xc2b2ae35u;
+    h ^= h >> 15;
+    h *= 0x2c1b3c6du;
+    return h ^ h >> 13;
+}
+
+/* The number of the vertex at this place, which may be a new one. */
+static int32_t place_vertex(solid_build_t *b, const solid_vertex_t *v) {
+    uint32_t at = hash((uint32_t)v->at[0], (uint32_t)v->at[1], (uint32_t)v->at[2]);
+    for (;; at++) {
+        int32_t *slot = &b->slot[at & (b->slots - 1)];
+        if (*slot < 0) {
+            b->vertex[b->s->nv] = *v;
+            *slot = b->s->nv++;
+        }
+        if (memcmp(&b->vertex[*slot], v, sizeof *v) == 0) return *slot;
+    }
+}
+
+static int32_t vertex_of(solid_build_t *b, const mesh_t *m, int32_t v) {
+    if (b->map[v] < 0) {
+        solid_vertex_t at;
+        for (int axis = 0; axis < 3; axis++) {
+            num_t a = num_sub(packed_num(m->vertex[v][axis]), b->s->origin[axis]);
+            at.at[axis] = (int32_t)num_to_fixed(a, b->s->shift[axis], NULL);
+        }
+        b->map[v] = place_vertex(b, &at);
+    }
+    return b->map[v];
+}
+
+static void add_face(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w) {
+    solid_t *s = b->s;
+    int32_t *c = b->corner + s->nc, n = 0;
+    for (int32_t k = 0; k < w->count; k++) {
+        int32_t v = vertex_of(b, m, mesh_at(w, k));
+        if (n == 0 || c[n - 1] != v) c[n++] = v;
+    }
+    while (n > 1 && c[n - 1] == c[0]) n--;
+    if (n < 3) return;
+    b->face[s->nf] = (solid_face_t){.corner = s->nc, .n = n};
+    for (int32_t k = 0; k < n; k++) b->corner_face[s->nc + k] = s->nf;
+    s->nc += n;
+    s->nf++;
+}
+
+static void add_line(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w) {
+    for (int32_t k = 0; k + 1 < w->count; k++) {
+        int32_t p = vertex_of(b, m, mesh_at(w, k)), q = vertex_of(b, m, mesh_at(w, k + 1));
+        if (p == q) continue;
+        int32_t e = b->s->ne++;
+        b->edge[e] = (solid_edge_t){{p < q ? p : q, p < q ? q : p}, {-1, -1}, -1, e};
+    }
+}
+
+static void fill(solid_build_t *b, const mesh_t *const *mesh, int32_t n) {
+    for (int32_t k = 0; k < n; k++) {
+        memset(b->map, 0xff, (size_t)mesh[k]->nv * sizeof *b->map);
+        mesh_walk_t w = mesh_walk(mesh[k]);
+        while (mesh_next(&w)) {
+            if (w.kind == MESH_FACE) add_face(b, mesh[k], &w);
+            if (w.kind == MESH_LINE) add_line(b, mesh[k], &w);
+        }
+    }
+}
+
+int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, size_t bytes) {
+    *s = (solid_t){0};
+    if (!measure(s, mesh, n)) return ERR_EMPTY;
+    int err = choose_scale(s);
+    if (err) return err;
+    totals_t t = total(mesh, n);
+    int64_t edges = (int64_t)t.corners + t.segments;
+    if (edges > INT32_MAX / 4) return ERR_FULL;
+    lent_t m = {mem, (uint8_t *)mem + (bytes & ~(size_t)7), mem == NULL};
+    solid_build_t b = {.s = s};
+    b.slots = slots_for(t.vertices > edges ? t.vertices : (int32_t)edges);
+    b.vertex = take(&m, t.vertices, sizeof *b.vertex, true);
+    b.corner = take(&m, t.corners, sizeof *b.corner, true);
+    b.face = take(&m, t.faces, sizeof *b.face, true);
+    b.object = take(&m, t.faces, sizeof *b.object, true);
+    b.edge = take(&m, edges, sizeof *b.edge, true); /* the last one: what is too much of it is given back */
+    b.map = take(&m, t.vertices_most, sizeof *b.map, false);
+    b.slot = take(&m, b.slots, sizeof *b.slot, false);
+    b.corner_face = take(&m, t.corners, sizeof *b.corner_face, false);
+    b.corner_next = take(&m, t.corners, sizeof *b.corner_next, false);
+    b.parent = take(&m, t.faces, sizeof *b.parent, false);
+    if (m.full) return ERR_FULL;
+    s->vertex = b.vertex;
+    s->corner = b.corner;
+    s->face = b.face;
+    s->object = b.object;
+    s->edge = b.edge;
+    memset(b.slot, 0xff, b.slots * sizeof *b.slot);
+    fill(&b, mesh, n);
+    solid_join(&b);
+    s->bytes = (size_t)((uint8_t *)(b.edge + s->ne) - (uint8_t *)mem);
+    return s->ne == 0 ? ERR_EMPTY : 0;
+}

@@ -1,0 +1,78 @@
+/* solid.h - a scene of solids and wire frames: meshes put together on one lattice of integers.
+ *
+ * Vertices are integers, rounded once: axis by axis the scene's box is centred and scaled by a power of two to
+ * SOLID_BITS bits, so what lies in a plane x = const of the files lies in one here, and small decimals are exact.
+ * Vertices that fall together are one vertex; an edge is there once for all faces of its object.
+ *
+ * An object is what hangs together by edges of two faces each; `o` and `g` of a file do not matter, so that a cube
+ * whose sides are six groups is a cube, and a hundred cubes in one group are a hundred. Faces of a closed object are
+ * turned so that they run counter-clockwise seen from outside, whatever the file says; an object is convex if a segment
+ * between any two of its points stays inside. Polygons stay polygons.
+ *
+ * Bits: |coordinate| <= 2^27; the difference of two fits 2^28, a component of a triangle's normal 2^57, its product
+ * with a difference 2^87 in wide_t. Memory: solid_bytes(); 12 bytes a vertex, 12 a face, 4 a corner, 24 an edge stay in
+ * use. */
+#ifndef SOLID_H
+#define SOLID_H
+
+#include "scene/mesh.h"
+#include <stddef.h>
+
+#define SOLID_BITS 28
+#define SOLID_FLAT                                                                                                     \
+    4 /* lattice units: so far from a plane, as its normal's largest sum measures it, is in the plane                  \
+       */
+
+_Static_assert(2 * SOLID_BITS + 1 < 62, "a normal fits 64 bits");
+_Static_assert(3 * SOLID_BITS + 1 + 2 + 3 < 126, "a determinant of three differences fits wide_t");
+
+typedef struct solid_vertex {
+    int32_t at[3];
+} solid_vertex_t;
+
+typedef struct solid_edge {
+    int32_t v[2];    /* v[0] < v[1] */
+    int32_t face[2]; /* of one object: [0] runs from v[0] to v[1], [1] the other way (open and twisted objects: either
+                        way); -1: none. Both -1: a free segment */
+    int32_t twin;    /* the next edge between the same two vertices, -1 at the end */
+    int32_t first;   /* the first of them, which stands for all in ink; itself for most */
+} solid_edge_t;
+
+typedef struct solid_face {
+    int32_t corner, n; /* solid->corner[corner .. corner + n - 1], n >= 3; neighbours differ */
+    int32_t object;
+} solid_face_t;
+
+enum solid_kind {
+    SOLID_OPEN,   /* with a border, or twisted, or edges of more than two faces: both sides of faces may be seen */
+    SOLID_CLOSED, /* the surface of a body: edges have two faces each, which run outward */
+    SOLID_CONVEX, /* and the body is convex */
+};
+
+typedef struct solid_object {
+    int32_t faces;
+    uint8_t kind; /* enum solid_kind */
+} solid_object_t;
+
+typedef struct solid {
+    int32_t nv, ne, nf, no, nc; /* vertices, edges, faces, objects, corners */
+    const solid_vertex_t *vertex;
+    const solid_edge_t *edge; /* free segments included */
+    const solid_face_t *face;
+    const int32_t *corner; /* vertices */
+    const solid_object_t *object;
+    num_t lo[3], hi[3]; /* the box, in the files' coordinates */
+    num_t origin[3];    /* coordinate = origin + at * 2^-shift, axis by axis */
+    int32_t shift[3];
+    size_t bytes; /* of the lent memory that stay in use */
+} solid_t;
+
+/* Memory that certainly suffices for these meshes while they are put together. */
+size_t solid_bytes(const mesh_t *const *mesh, int32_t n);
+/* Puts n meshes together in mem (aligned to 8), which lives as long as s; s->bytes of it are used afterwards. The
+ * meshes are not needed any more then. Faces without an area and segments without a length are left out. Returns 0;
+ * ERR_EMPTY if nothing is left; ERR_FULL; ERR_VALUE for coordinates beyond any use. Cost: linear but for hashing; about
+ * 0.5 us a corner on a desktop. */
+int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, size_t bytes);
+
+#endif

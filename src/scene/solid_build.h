@@ -1,0 +1,28 @@
+/* solid_build.h - what the files of src/scene/solid*.c share while a scene is put together; not for others. */
+#ifndef SOLID_BUILD_H
+#define SOLID_BUILD_H
+
+#include "scene/solid.h"
+
+typedef struct solid_build {
+    solid_t *s;
+    solid_vertex_t *vertex;
+    solid_edge_t *edge;
+    solid_face_t *face;
+    int32_t *corner;
+    solid_object_t *object;
+    /* Until the end of the work only: */
+    int32_t *map;         /* vertex of the mesh at hand -> vertex, or -1 */
+    int32_t *slot;        /* hash table of vertices, later of edges; -1: free */
+    uint32_t slots;       /* a power of two */
+    int32_t *corner_face; /* face of each corner */
+    int32_t *corner_next; /* the next corner whose edge lies between the same vertices; -1 */
+    uint32_t *parent;     /* of faces: parent << 1 | does it run the other way; then the face's turn alone */
+} solid_build_t;
+
+/* solid_join.c: from corners to edges, objects and kinds. s->ne: free segments are there already. */
+void solid_join(solid_build_t *b);
+/* solid_convex.c: objects marked convex that are not become closed ones. Faces run outward. */
+void solid_find_convex(solid_build_t *b);
+
+#endif

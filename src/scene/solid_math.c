@@ -1,0 +1,50 @@
+/* solid_math.c - see solid_math.h. */
+#include "scene/solid_math.h"
+
+/* Fans of up to so many triangles cannot overflow whatever their polygon does. */
+#define SURE_CORNERS 16
+
+solid_normal_t solid_face_normal(const solid_t *s, int32_t face) {
+    const solid_face_t *f = &s->face[face];
+    const int32_t *c = s->corner + f->corner;
+    solid_normal_t sum = {{0, 0, 0}};
+    const solid_vertex_t *at = &s->vertex[c[0]];
+    for (int32_t k = 1; k + 1 < f->n; k++) {
+        solid_normal_t n = solid_cross(solid_sub(&s->vertex[c[k]], at), solid_sub(&s->vertex[c[k + 1]], at));
+        for (int i = 0; i < 3; i++) {
+            sum.n[i] += n.n[i];
+            /* A simple polygon stays inside of its box: below 2^58. */
+            if (f->n > SURE_CORNERS && solid_abs(sum.n[i]) > (uint64_t)1 << 60) return (solid_normal_t){{0, 0, 0}};
+        }
+    }
+    return sum;
+}
+
+static bool is_within(wide_t v, wide_t slack) {
+    return wide_cmp(v, slack) <= 0 && wide_cmp(v, wide_neg(slack)) >= 0;
+}
+
+static bool agrees(const solid_normal_t *a, const solid_normal_t *b) {
+    wide_t p = wide_mul_s64(a->n[0], b->n[0]);
+    p = wide_add(p, wide_mul_s64(a->n[1], b->n[1]));
+    return wide_sign(wide_add(p, wide_mul_s64(a->n[2], b->n[2]))) >= 0;
+}
+
+bool solid_face_is_convex(const solid_t *s, int32_t face, const solid_normal_t *normal) {
+    const solid_face_t *f = &s->face[face];
+    const int32_t *c = s->corner + f->corner;
+    if (normal->n[0] == 0 && normal->n[1] == 0 && normal->n[2] == 0) return false;
+    if (f->n == 3) return true;
+    const wide_t slack = solid_slack(normal);
+    const solid_vertex_t *at = &s->vertex[c[0]];
+    for (int32_t k = 0; k < f->n; k++) {
+        const solid_vertex_t *p = &s->vertex[c[k]], *q = &s->vertex[c[k + 1 < f->n ? k + 1 : 0]],
+                             *r = &s->vertex[c[k + 2 < f->n ? k + 2 : k + 2 - f->n]];
+        if (!is_within(solid_dot(normal, solid_sub(p, at)), slack)) return false;
+        solid_normal_t turn = solid_cross(solid_sub(q, p), solid_sub(r, q));
+        if (!agrees(normal, &turn)) return false;
+        solid_normal_t fan = solid_cross(solid_sub(p, at), solid_sub(q, at)); /* a star turns one way too, but not so */
+        if (!agrees(normal, &fan)) return false;
+    }
+    return true;
+}

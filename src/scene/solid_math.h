@@ -1,0 +1,54 @@
+/* solid_math.h - exact products of lattice vectors (solid.h). */
+#ifndef SOLID_MATH_H
+#define SOLID_MATH_H
+
+#include "num/wide.h"
+#include "scene/solid.h"
+
+/* Components of a difference of vertices, and of a normal. */
+typedef struct solid_delta {
+    int32_t d[3];
+} solid_delta_t;
+typedef struct solid_normal {
+    int64_t n[3];
+} solid_normal_t;
+
+static inline solid_delta_t solid_sub(const solid_vertex_t *a, const solid_vertex_t *b) {
+    return (solid_delta_t){{a->at[0] - b->at[0], a->at[1] - b->at[1], a->at[2] - b->at[2]}};
+}
+
+static inline solid_normal_t solid_cross(solid_delta_t a, solid_delta_t b) {
+    return (solid_normal_t){{wide_mul_s32(a.d[1], b.d[2]) - wide_mul_s32(a.d[2], b.d[1]),
+                             wide_mul_s32(a.d[2], b.d[0]) - wide_mul_s32(a.d[0], b.d[2]),
+                             wide_mul_s32(a.d[0], b.d[1]) - wide_mul_s32(a.d[1], b.d[0])}};
+}
+
+static inline wide_t solid_dot(const solid_normal_t *n, solid_delta_t d) {
+#ifdef __SIZEOF_INT128__
+    wide_native_t p =
+        (wide_native_t)n->n[0] * d.d[0] + (wide_native_t)n->n[1] * d.d[1] + (wide_native_t)n->n[2] * d.d[2];
+    return (wide_t){(int64_t)(p >> 64), (uint64_t)p};
+#else
+    wide_t p = wide_mul_s64(n->n[0], d.d[0]);
+    p = wide_add(p, wide_mul_s64(n->n[1], d.d[1]));
+    return wide_add(p, wide_mul_s64(n->n[2], d.d[2]));
+#endif
+}
+
+static inline uint64_t solid_abs(int64_t a) {
+    return a < 0 ? 0 - (uint64_t)a : (uint64_t)a;
+}
+
+/* SOLID_FLAT times the sum of the normal's components: how much a dot product may differ from 0 in its plane. */
+static inline wide_t solid_slack(const solid_normal_t *n) {
+    wide_u_t p = wide_mul_u64(solid_abs(n->n[0]) + solid_abs(n->n[1]) + solid_abs(n->n[2]), SOLID_FLAT);
+    return (wide_t){(int64_t)p.hi, p.lo};
+}
+
+/* Twice the area of a face as a vector: its normal, outward where it runs outward. All zero for a face without an area,
+ * or one so tangled that it has none. */
+solid_normal_t solid_face_normal(const solid_t *s, int32_t face);
+/* Is the face flat within SOLID_FLAT, and its polygon convex? */
+bool solid_face_is_convex(const solid_t *s, int32_t face, const solid_normal_t *normal);
+
+#endif

@@ -1,0 +1,185 @@
+/* solid_map.c - see solid_map.h. */
+#include "view/solid_map.h"
+
+#include "error.h"
+#include "num/ints.h"
+#include "num/wide.h"
+
+#define PLACE_MOST (1 << 30)
+#define ROW_BITS 62 /* of the coefficients that a lattice coordinate is multiplied by */
+
+static bool lines_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, page_h_t *h) {
+    (void)family;
+    const solid_map_t *m = ctx;
+    const solid_edge_t *e = &m->solid->edge[line];
+    if (t_q30 == INK_ONE) {
+        *h = solid_map_vertex(m, e->v[1]);
+        return true;
+    }
+    *h = solid_map_vertex(m, e->v[0]);
+    if (t_q30 == 0) return true;
+    page_h_t to = solid_map_vertex(m, e->v[1]);
+    *h = line_space_mix(h, &to, (int32_t)t_q30);
+    return true;
+}
+
+/* Row r of the camera on the lattice: shares of the coordinates, and what is there at the origin. */
+static void lattice_row(const solid_map_t *m, int r, num_t out[4]) {
+    const solid_t *s = m->solid;
+    out[3] = m->cam->m[r][3];
+    for (int k = 0; k < 3; k++) {
+        out[3] = num_add(out[3], num_mul(m->cam->m[r][k], s->origin[k]));
+        out[k] = num_ldexp(m->cam->m[r][k], -s->shift[k]);
+    }
+}
+
+/* The most fractional bits with which |a| < 2^bits. */
+static int32_t bits_for(const num_t *a, int n, int bits) {
+    int32_t most = INT32_MIN;
+    for (int k = 0; k < n; k++)
+        if (a[k].m != 0 && a[k].e + 63 > most) most = a[k].e + 63;
+    return most == INT32_MIN ? 0 : bits - most;
+}
+
+static void setup_rows(solid_map_t *m) {
+    for (int r = 0; r < 3; r++) {
+        num_t row[4];
+        lattice_row(m, r, row);
+        /* coefficients as fine as they fit, but not finer than the result needs: 2^-32 of its units */
+        int32_t bits = bits_for(row, 3, ROW_BITS);
+        if (bits > m->lines.frac_bits + SOLID_BITS + 4) bits = m->lines.frac_bits + SOLID_BITS + 4;
+        m->row_bits[r] = bits - m->lines.frac_bits;
+        if (m->row_bits[r] < 0) { /* far beyond any use; camera_scale has seen to it */
+            m->row_bits[r] = 0;
+            bits = m->lines.frac_bits;
+        }
+        for (int k = 0; k < 3; k++) m->row[r][k] = num_to_fixed(row[k], bits, NULL);
+        m->row[r][3] = num_to_fixed(row[3], m->lines.frac_bits, NULL);
+    }
+}
+
+static int setup_eye(solid_map_t *m) {
+    const solid_t *s = m->solid;
+    num_t e[3];
+    for (int k = 0; k < 3; k++) {
+        num_t from = m->cam->perspective ? num_sub(m->cam->eye[k], s->origin[k]) : m->cam->eye[k];
+        e[k] = num_ldexp(from, s->shift[k]);
+    }
+    int32_t bits = bits_for(e, 3, SOLID_EYE_BITS);
+    if (m->cam->perspective && bits > SOLID_EYE_BITS - 1) bits = SOLID_EYE_BITS - 1;
+    for (int k = 0; k < 3; k++) m->eye.e[k] = num_to_fixed(e[k], bits, NULL);
+    /* An eye farther away than 2^50 lattice units sees what a parallel view shows. */
+    m->eye.w = m->cam->perspective && bits >= 0 ? (int64_t)1 << bits : 0;
+    return m->eye.e[0] == 0 && m->eye.e[1] == 0 && m->eye.e[2] == 0 && m->eye.w == 0 ? ERR_VALUE : 0;
+}
+
+/* Parallel: depth is against the direction to the eye. */
+static void setup_depth(solid_map_t *m) {
+    uint64_t most = 0;
+    for (int k = 0; k < 3; k++) {
+        uint64_t a = ints_abs64(m->eye.e[k]);
+        most = a > most ? a : most;
+    }
+    m->z_shift = (most ? 64 - ints_clz64(most) : 0) + SOLID_BITS + 1 - SOLID_Z_BITS; /* three products of 2^27 */
+    for (int k = 0; k < 3; k++) m->z_row[k] = -m->eye.e[k];
+}
+
+static int64_t row_times(const solid_map_t *m, int r, const solid_vertex_t *v) {
+    const int64_t *a = m->row[r];
+    wide_t sum = wide_mul_s64(a[0], v->at[0]);
+    sum = wide_add(sum, wide_mul_s64(a[1], v->at[1]));
+    sum = wide_add(sum, wide_mul_s64(a[2], v->at[2]));
+    int32_t bits = m->row_bits[r];
+    if (bits > 0) sum = wide_sar(wide_add(sum, wide_shl((wide_t){0, 1}, bits - 1)), bits);
+    return (int64_t)(sum.lo + (uint64_t)a[3]);
+}
+
+page_h_t solid_map_vertex(const solid_map_t *m, int32_t v) {
+    const solid_vertex_t *p = &m->solid->vertex[v];
+    page_h_t h = {row_times(m, 0, p), row_times(m, 1, p), m->row[2][3]};
+    if (m->lines.perspective) h.e = row_times(m, 2, p);
+    return h;
+}
+
+static int32_t limit(int64_t a) {
+    return a < -PLACE_MOST ? -PLACE_MOST : a > PLACE_MOST ? PLACE_MOST : (int32_t)a;
+}
+
+static int32_t perspective_depth(const solid_map_t *m, int64_t e) {
+    /* near_e <= e, so 1/e in (0, 1/near_e] */
+    return -(int32_t)ints_muldiv_round(m->lines.near_e, (int64_t)1 << SOLID_Z_BITS, e);
+}
+
+static solid_place_t place_of(const solid_map_t *m, const page_h_t *h) {
+    if (!m->lines.perspective) {
+        int64_t half = (int64_t)1 << (m->lines.frac_bits - 1);
+        return (solid_place_t){limit((h->x + half) >> m->lines.frac_bits), limit((h->y + half) >> m->lines.frac_bits),
+                               0};
+    }
+    return (solid_place_t){limit(ints_div_round(h->x, h->e)), limit(ints_div_round(h->y, h->e)),
+                           perspective_depth(m, h->e)};
+}
+
+static solid_place_t place_vertex(const solid_map_t *m, int32_t v) {
+    page_h_t h = solid_map_vertex(m, v);
+    if (h.e < m->lines.near_e) return (solid_place_t){0, 0, INT32_MIN};
+    solid_place_t p = place_of(m, &h);
+    if (m->lines.perspective) return p;
+    const solid_vertex_t *at = &m->solid->vertex[v];
+    wide_t sum = wide_mul_s64(m->z_row[0], at->at[0]);
+    sum = wide_add(sum, wide_mul_s64(m->z_row[1], at->at[1]));
+    sum = wide_add(sum, wide_mul_s64(m->z_row[2], at->at[2]));
+    p.z = (int32_t)wide_sar(sum, m->z_shift).lo;
+    return p;
+}
+
+int solid_map_setup(solid_map_t *m, const solid_t *solid, const camera_t *cam, void *place) {
+    *m = (solid_map_t){.solid = solid, .cam = cam, .place = place};
+    int err = camera_scale(cam, solid->lo, solid->hi, &m->lines);
+    if (err) return err;
+    m->lines.ctx = m;
+    m->lines.at = lines_at;
+    err = setup_eye(m);
+    if (err) return err;
+    setup_rows(m);
+    setup_depth(m);
+    for (int32_t v = 0; v < solid->nv; v++) {
+        m->place[v] = place_vertex(m, v);
+        m->any_behind |= solid_map_is_behind(m, v);
+    }
+    return 0;
+}
+
+bool solid_map_edge(const solid_map_t *m, int32_t edge, solid_place_t end[2], int64_t t_q30[2]) {
+    const solid_edge_t *e = &m->solid->edge[edge];
+    bool behind[2];
+    for (int k = 0; k < 2; k++) {
+        end[k] = m->place[e->v[k]];
+        t_q30[k] = k * INK_ONE;
+        behind[k] = solid_map_is_behind(m, e->v[k]);
+    }
+    if (!behind[0] && !behind[1]) return true;
+    if (behind[0] && behind[1]) return false;
+    int back = behind[1];
+    page_h_t h[2] = {solid_map_vertex(m, e->v[0]), solid_map_vertex(m, e->v[1])};
+    /* halved, the difference of opposite signs fits */
+    int64_t way = h[1 - back].e / 2 - h[back].e / 2;
+    int64_t t = ints_muldiv_round(INK_ONE, h[1 - back].e / 2 - m->lines.near_e / 2, way);
+    t_q30[back] = back ? t : INK_ONE - t;
+    if (t <= 0) return false;
+    page_h_t cut;
+    lines_at((void *)(uintptr_t)m, INK_SEGMENT, edge, t_q30[back], &cut);
+    if (cut.e < m->lines.near_e) cut.e = m->lines.near_e; /* rounded to the wrong side */
+    end[back] = place_of(m, &cut);
+    return true;
+}
+
+int64_t solid_map_space(const solid_map_t *m, const solid_place_t end[2], const int64_t t_q30[2], int64_t page_q30) {
+    int64_t s = page_q30;
+    if (m->lines.perspective && page_q30 > 0 && page_q30 < INK_ONE) {
+        /* page u, space s, z = -1/E: s = u z1 / (u z1 + (1 - u) z0) */
+        int64_t far = page_q30 * -(int64_t)end[1].z, near = (INK_ONE - page_q30) * -(int64_t)end[0].z;
+        s = ints_muldiv_round(INK_ONE, far >> 1, (far >> 1) + (near >> 1));
+    }
+    return t_q30[0] + ((t_q30[1] - t_q30[0]) * s >> 30);
+}
