@@ -14,9 +14,14 @@ static inline size_t arena_left(const arena_t *a) {
     return a->bytes - a->used;
 }
 
+/* Bytes to the next address that is aligned to 16. */
+static inline size_t arena_gap(const arena_t *a) {
+    return (size_t)(-(uintptr_t)(a->base + a->used) & 15u);
+}
+
 /* size bytes aligned to 16, or NULL. */
 static inline void *arena_take(arena_t *a, size_t size) {
-    size_t start = a->used + (size_t)(-(uintptr_t)(a->base + a->used) & 15u);
+    size_t start = a->used + arena_gap(a);
     if (start > a->bytes || size > a->bytes - start) return NULL;
     a->used = start + size;
     return a->base + start;

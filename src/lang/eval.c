@@ -77,13 +77,14 @@ static const char *refusal(const lang_t *l, const symbol_t *s, int args, const v
     break
 
 int expr_eval(lang_t *l, const expr_t *x, const num_t *args, value_t *out) {
+    for (int i = 0; i < x->params; i++) put(&l->stack[i], args[i].m, args[i].e, args[i].undef);
+    return expr_run(l, x, out);
+}
+
+int expr_run(lang_t *l, const expr_t *x, value_t *out) {
     l->fault.code = 0;
     if (x->stack > CONFIG_STACK) return fail(l, out, ERR_FULL, "expression needs more than the stack", -1);
-    value_t *base = l->stack, *sp = base - 1;
-    for (int i = 0; i < x->params; i++) {
-        sp++;
-        put(sp, args[i].m, args[i].e, args[i].undef);
-    }
+    value_t *base = l->stack, *sp = base + x->params - 1;
     int64_t m = 0;
     int32_t e = 0;
     uint8_t kind = VALUE_REAL;

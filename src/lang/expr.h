@@ -53,6 +53,9 @@ int expr_compile(lang_t *l, lexer_t *lx, const expr_params_t *params, uint8_t *b
  */
 int expr_eval(lang_t *l, const expr_t *e, const num_t *args, value_t *out);
 
+/* The same with the arguments, values of any kind, at the start of l->stack already. */
+int expr_run(lang_t *l, const expr_t *e, value_t *out);
+
 /* Describes the last failure of expr_eval. at: a copy of the lexer as it stood when the expression was compiled,
  * to find the column of the name that is at fault; or NULL. Returns the code. */
 int expr_fault(const lang_t *l, const lexer_t *at, lang_error_t *err);

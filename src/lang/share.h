@@ -1,15 +1,13 @@
 /* share.h - common parts of an expression, computed once: sin(sqrt(x*x+y*y))/sqrt(x*x+y*y) takes one root.
  *
- * Only for code without jumps, calls of user functions, assignments and random numbers, where every part is
- * evaluated exactly once and in order; that is what surfaces mostly are. */
+ * Only for straight code (parts.h) without calls of user functions; that is what surfaces mostly are. */
 #ifndef SHARE_H
 #define SHARE_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-#define SHARE_MAX 6  /* parts kept: that many values more on the stack */
-#define SHARE_OPS 64 /* longer code is left alone; 4 bytes of the machine's stack each */
+#define SHARE_MAX 6 /* parts kept: that many values more on the stack */
 
 /* Rewrites the len bytes of code, ended by OP_RET, in place, using up to `room` bytes. The values kept follow the
  * `params` arguments. *kept: how many there are. Returns the new length. Cost: a few thousand byte comparisons. */

@@ -26,11 +26,14 @@ static void seed_for(expr_source_t *s, const num_t *at, int n) {
     s->lang->seed[1] = (int32_t)(h >> 32 & SEED_MASK) + 1;
 }
 
+static void note_error(expr_source_t *s, int err) {
+    if (err && !s->error) s->error = err;
+}
+
 static num_t evaluate(expr_source_t *s, const num_t *at, int n) {
     value_t v;
     if (s->random) seed_for(s, at, n);
-    int err = expr_eval(s->lang, &s->expr, at, &v);
-    if (err && !s->error) s->error = err;
+    note_error(s, expr_eval(s->lang, &s->expr, at, &v));
     return value_num(v);
 }
 
@@ -56,11 +59,29 @@ num_t expr_surface_z_at(void *ctx, num_t x, num_t y) {
 
 static num_t z_of(void *ctx, int32_t i, int32_t j) {
     expr_grid_t *g = ctx;
+    expr_source_t *s = g->source;
     if (j != g->row) { /* rows are mostly asked for as a whole */
         g->row = j;
         g->row_y = place(g, 1, j);
+        if (g->hoist) note_error(s, hoist_row(g->hoist, g->row_y));
     }
-    return expr_surface_z_at(ctx, place(g, 0, i), g->row_y);
+    if (!g->hoist) return expr_surface_z_at(ctx, place(g, 0, i), g->row_y);
+    value_t v;
+    if (s->random) seed_for(s, (num_t[]){hoist_x(g->hoist, i), g->row_y}, 2);
+    note_error(s, hoist_point(g->hoist, i, &v));
+    return value_num(v);
+}
+
+static size_t lend(void *ctx, void *mem, size_t bytes) {
+    expr_grid_t *g = ctx;
+    expr_source_t *s = g->source;
+    g->hoist = NULL;
+    g->row = -1;
+    size_t used = mem ? hoist_init(s->lang, &s->expr, !s->random, g->n[0], mem, bytes) : 0;
+    if (!used) return 0;
+    g->hoist = mem;
+    for (int32_t i = 0; i < g->n[0]; i++) note_error(s, hoist_column(g->hoist, i, place(g, 0, i)));
+    return used;
 }
 
 static num_t y_at(void *ctx, int32_t i) {
@@ -85,7 +106,8 @@ int expr_surface_grid(expr_grid_t *g, expr_source_t *source, const num_t lo[2], 
                       surface_t *out) {
     g->source = source;
     g->row = -1;
-    *out = (surface_t){n[0], n[1], g, x_of, y_of, z_of};
+    g->hoist = NULL;
+    *out = (surface_t){n[0], n[1], g, x_of, y_of, z_of, lend};
     int err = sample(g, 0, lo[0], hi[0], n[0]);
     return err ? err : sample(g, 1, lo[1], hi[1], n[1]);
 }

@@ -11,7 +11,7 @@
 #ifndef EXPR_SURFACE_H
 #define EXPR_SURFACE_H
 
-#include "lang/expr.h"
+#include "lang/hoist.h"
 #include "scene/curve.h"
 #include "scene/surface.h"
 
@@ -30,6 +30,7 @@ typedef struct expr_grid {
     int32_t n[2];
     int32_t row; /* whose y is row_y, or -1 */
     num_t row_y;
+    hoist_t *hoist; /* in lent memory, or NULL */
 } expr_grid_t;
 
 /* expr, lang and its code are used as long as the source is. */

@@ -8,6 +8,7 @@
 #define SURFACE_H
 
 #include "num/num.h"
+#include <stddef.h>
 
 typedef struct surface {
     int32_t nx;                                     /* columns, >= 2 */
@@ -16,6 +17,9 @@ typedef struct surface {
     num_t (*x_of)(void *ctx, int32_t i);            /* 0 <= i < nx, always defined */
     num_t (*y_of)(void *ctx, int32_t j);            /* 0 <= j < ny, always defined */
     num_t (*z_of)(void *ctx, int32_t i, int32_t j); /* undefined at a hole */
+    /* Lends memory (aligned to 8) that makes z_of faster and changes no height; until it is called again, the last time
+     * with NULL. Returns the bytes that it takes, 0 if it cannot use them. NULL: no memory helps. */
+    size_t (*lend)(void *ctx, void *mem, size_t bytes);
 } surface_t;
 
 #endif

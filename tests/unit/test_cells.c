@@ -163,7 +163,7 @@ static void test_several(void **state) {
         grid_t grid[SURFACES], *list[SURFACES];
         for (int m = 0; m < s.surfaces; m++) {
             one[m] = (one_t){&s, m};
-            src[m] = (surface_t){N, N, &one[m], axis_of, axis_of, height_of};
+            src[m] = (surface_t){N, N, &one[m], axis_of, axis_of, height_of, NULL};
             assert_int_equal(grid_measure(&grid[m], &src[m], NULL, NULL, NULL, NULL, NULL), 0);
             list[m] = &grid[m];
         }

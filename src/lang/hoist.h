@@ -1,0 +1,40 @@
+/* hoist.h - an expression of x and y on a grid: what depends on only one of them is evaluated once for each column and
+ * once for each row.
+ *
+ *     exp(-x**2-y**2)  ->  column: -x**2    row: y**2    point: exp(column - row)
+ *
+ * The values are those of expr_eval, bit for bit: the same operations with the same operands, done elsewhere. Only
+ * straight code (parts.h) is taken apart; other expressions, and parts beyond HOIST_MAX, are evaluated as they are,
+ * and still find the abscissae of the grid in the table. */
+#ifndef HOIST_H
+#define HOIST_H
+
+#include "lang/expr.h"
+
+#define HOIST_MAX 8 /* values of a column and a row together */
+
+typedef struct hoist {
+    lang_t *lang;
+    expr_t column, row, point; /* column and row leave their values on the evaluator's stack, behind x and y */
+    uint8_t per_column, per_row;
+    bool row_dead;                 /* the row's part is undefined, so are all its points */
+    value_t *table;                /* of each column: x, and its values */
+    value_t of_row[1 + HOIST_MAX]; /* y, and the row's values */
+} hoist_t;
+
+/* Takes x apart for so many columns. pure: the expression's value depends on its arguments only (expr_is_impure); it
+ * stays whole if not. Everything lies in mem (aligned to 8; lang, x and mem are used as long as the result is). Returns
+ * the bytes used, the result being at mem, or 0 when bytes are too few. */
+size_t hoist_init(lang_t *lang, const expr_t *x, bool pure, int32_t columns, void *mem, size_t bytes);
+/* Evaluates a column's or a row's part; each point's must have been. Returns as expr_eval does. */
+int hoist_column(hoist_t *h, int32_t i, num_t x);
+int hoist_row(hoist_t *h, num_t y);
+/* The expression at column i of the last row. */
+int hoist_point(const hoist_t *h, int32_t i, value_t *out);
+
+static inline num_t hoist_x(const hoist_t *h, int32_t i) {
+    const value_t *x = &h->table[i * (1 + h->per_column)];
+    return (num_t){x->m, x->e, false};
+}
+
+#endif
