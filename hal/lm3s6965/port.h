@@ -57,8 +57,17 @@ static inline void port_alarm(uint32_t at) {
     }
 }
 
-static inline void port_pins(uint32_t mask, uint32_t value) {
-    GPIO_DATA(GPIOB, mask) = value ^ port.invert;
+typedef struct port_word {
+    volatile uint32_t *at;
+    uint32_t value;
+} port_word_t;
+
+static inline port_word_t port_word(uint32_t mask, uint32_t value) {
+    return (port_word_t){&GPIO_DATA(GPIOB, mask), value ^ port.invert};
+}
+
+static inline void port_write(port_word_t word) {
+    *word.at = word.value;
 }
 
 #endif

@@ -1,6 +1,6 @@
-/* hal.c - hal.h on the nRF51822 of a BBC micro:bit. The clock and the alarm are TIMER0, 32 bits at 16 MHz: one tick is
- * one count. The switches are looked at by the UART's and the timer's interrupts and by hal_idle, 1 ms apart at most,
- * because the processor has no interrupt on a pin that QEMU knows. */
+/* hal.c - hal.h on the nRF51822 of a BBC micro:bit. The clock and the alarm are TIMER0, 32 bits at 8 MHz: two
+ * ticks a count. The switches are looked at by the UART's and the timer's interrupts and by hal_idle, 1 ms apart at
+ * most, because the processor has no interrupt on a pin that QEMU knows. */
 #include "hal/hal.h"
 
 #include "error.h"
@@ -41,7 +41,7 @@ void hal_invert(uint32_t pins, uint32_t inputs) {
     value ^= port_invert;
     port_invert = BOARD_INVERT ^ pins;
     p.invert_in = ALL_INPUTS ^ inputs;
-    port_pins(0x3f, value);
+    hal_pins_write(0x3f, value);
 }
 
 uint32_t hal_inputs(void) {
@@ -132,7 +132,7 @@ const char *hal_board_name(void) {
 }
 
 void hal_start(void) {
-    port_pins(0x3f, 0);
+    hal_pins_write(0x3f, 0);
     GPIO_DIRSET = port_spread[0x3f];
     p.invert_in = ALL_INPUTS;
     for (int i = 0; i < 4; i++) GPIO_PIN_CNF(INPUT[i]) = 3u << 2; /* pulled up */
@@ -140,7 +140,7 @@ void hal_start(void) {
     CLOCK_HFCLKSTART = 1; /* the crystal */
     while (!CLOCK_HFCLKSTARTED) continue;
     TIMER0_BITMODE = 3;
-    TIMER0_PRESCALER = 0;
+    TIMER0_PRESCALER = 1;
     TIMER0_INTENSET = 1u << 16;
     TIMER0_START = 1;
 
@@ -171,7 +171,7 @@ static void put_polled(const char *text) {
 
 void hal_fault(const char *what, int32_t a, int32_t b) {
     (void)irq_lock();
-    port_pins(0x3f, 0);
+    port_write(port_word(0x3f, 0));
     put_polled("\r\nfault: ");
     put_polled(what);
     const int32_t number[2] = {a, b};

@@ -1,16 +1,19 @@
 /* port.h - what ahead.h asks of this port, and the interrupts for its vector table.
  *
  * Pins of the micro:bit's edge connector: P0 step X, P1 dir X, P2 step Y, P8 dir Y, P12 pen, P16 motors on; inputs
- * P13 limit X, P14 limit Y, button A start, P15 emergency stop. */
+ * P13 limit X, P14 limit Y, button A start, P15 emergency stop.
+ *
+ * TIMER0 counts at 8 MHz, two ticks a count. At 16 MHz QEMU would gain half a nanosecond whenever it is read after an
+ * odd number of counts, as 62.5 ns is no whole number of them: 40 us in a drawing of a second. */
 #ifndef PORT_H
 #define PORT_H
 
 #include "hal/hal.h"
 #include "hal/nrf51/regs.h"
 
-#define AHEAD_ENTRY 100
+#define AHEAD_ENTRY 300
 #define AHEAD_GAP 20
-#define AHEAD_CHAIN 120
+#define AHEAD_CHAIN 208
 #define AHEAD_SLACK 160
 
 enum { PORT_IRQ_UART = 2, PORT_IRQ_TIMER = 8 };
@@ -27,9 +30,13 @@ void port_panic(void);
 extern const uint32_t port_spread[64]; /* pin word to the chip's pins */
 extern uint32_t port_invert;           /* pins that are active low */
 
-static inline uint32_t port_now(void) {
+static inline uint32_t port_count(void) {
     TIMER0_CAPTURE1 = 1;
     return TIMER0_CC1;
+}
+
+static inline uint32_t port_now(void) {
+    return port_count() * 2;
 }
 
 static inline uint32_t port_raw(uint32_t at) {
@@ -40,17 +47,27 @@ static inline void port_until(uint32_t raw) {
     while ((int32_t)(port_now() - raw) < 0) continue;
 }
 
-/* The new compare value before the old event is cleared: in 32-bit mode QEMU would raise it again at once. */
+/* The new compare value before the old event is cleared: in 32-bit mode QEMU would raise it again at once. One that
+ * came in between would be lost, and the next only after nine minutes; so what is near is not left to the timer. */
 static inline void port_alarm(uint32_t at) {
-    TIMER0_CC0 = at;
+    uint32_t count = port_count();
+    int32_t in = (int32_t)(at - count * 2) >> 1;
+    TIMER0_CC0 = count + (uint32_t)in;
     TIMER0_COMPARE0 = 0;
-    if ((int32_t)(at - port_now()) < 4) irq_pend(PORT_IRQ_TIMER);
+    if (in < 16) irq_pend(PORT_IRQ_TIMER);
 }
 
-static inline void port_pins(uint32_t mask, uint32_t value) {
-    value ^= port_invert;
-    GPIO_OUTSET = port_spread[value & mask];
-    GPIO_OUTCLR = port_spread[~value & mask];
+typedef struct port_word {
+    uint32_t mask, value;
+} port_word_t;
+
+static inline port_word_t port_word(uint32_t mask, uint32_t value) {
+    return (port_word_t){port_spread[mask], port_spread[(value ^ port_invert) & mask]};
+}
+
+/* Not by OUTSET and OUTCLR, which would be two moments. */
+static inline void port_write(port_word_t word) {
+    GPIO_OUT = (GPIO_OUT & ~word.mask) | word.value;
 }
 
 #endif

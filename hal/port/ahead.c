@@ -13,7 +13,8 @@ typedef struct edge {
 } edge_t;
 
 typedef struct ready {
-    uint32_t raw, mask, value;
+    uint32_t raw;
+    port_word_t word;
 } ready_t;
 
 static struct {
@@ -67,7 +68,7 @@ static void set_alarm(uint32_t now) {
 /* When an edge leaves is settled here: its tick, but AHEAD_GAP after the one before it, and a pulse keeps its width. */
 void hal_pins_write(uint32_t mask, uint32_t value) {
     if (!a.planning) {
-        port_pins(mask, value);
+        port_write(port_word(mask, value));
         return;
     }
     uint32_t state = irq_lock();
@@ -121,6 +122,7 @@ static void left_late(uint32_t from, uint32_t late) {
     a.late++;
     if (late > a.latest) a.latest = late;
     if (late > AHEAD_SLACK) {
+        late -= AHEAD_GAP; /* which reading the clock has taken */
         a.skew += late;
         a.newest += late;
         for (uint32_t i = a.tail; i != a.head; i++) a.ring[i % AHEAD_EDGES].at += late;
@@ -152,12 +154,12 @@ void ahead_write_isr(void) {
         uint32_t n = 0, at;
         do {
             at = e->at;
-            ready[n++] = (ready_t){port_raw(at), e->mask, e->value};
+            ready[n++] = (ready_t){port_raw(at), port_word(e->mask, e->value)};
             e = &a.ring[(from + n) % AHEAD_EDGES];
         } while (n < CHAIN && from + n != a.head && e->at - at < AHEAD_CHAIN);
         for (const ready_t *r = ready; r < ready + n; r++) {
             port_until(r->raw);
-            port_pins(r->mask, r->value);
+            port_write(r->word);
         }
         a.tail = from + n;
         now = port_now();

@@ -17,7 +17,8 @@
  *     void port_until(uint32_t raw)        waits for it
  *     void port_alarm(uint32_t at)         lets its interrupt call ahead_write_isr at or shortly before that tick, soon
  *                                          if it has gone by; replaces an earlier alarm
- *     void port_pins(uint32_t mask, uint32_t value)
+ *     port_word_t port_word(uint32_t mask, uint32_t value)   what to write, polarity applied, made ready
+ *     void port_write(port_word_t word)
  *     AHEAD_ENTRY   ticks from an alarm to where an edge is waited for, at most: other code has interrupts off
  * meanwhile AHEAD_GAP     ticks from one write to the next, for edges made ready together AHEAD_CHAIN   edges that
  * follow each other sooner than this have to be AHEAD_SLACK   an edge later than so many ticks makes the plan slip;

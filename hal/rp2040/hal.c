@@ -30,7 +30,7 @@ void hal_invert(uint32_t pins, uint32_t inputs) {
     uint32_t value = (SIO_OUT >> FIRST_PIN & ALL_PINS) ^ port.invert;
     port.invert = BOARD_INVERT ^ pins;
     p.invert_in = ALL_INPUTS ^ inputs;
-    port_pins(ALL_PINS, value);
+    hal_pins_write(ALL_PINS, value);
 }
 
 void port_timer_isr(void) {
@@ -220,7 +220,7 @@ static void put_polled(const char *text) {
 
 void hal_fault(const char *what, int32_t a, int32_t b) {
     (void)irq_lock();
-    port_pins(ALL_PINS, 0);
+    port_write(port_word(ALL_PINS, 0));
     put_polled("\r\nfault: ");
     put_polled(what);
     const int32_t number[2] = {a, b};

@@ -57,8 +57,16 @@ static inline void port_alarm(uint32_t at) {
         TIMER_ALARM1 = TIMER_RAWL + ((uint32_t)in >> 4);
 }
 
-static inline void port_pins(uint32_t mask, uint32_t value) {
-    SIO_OUT_XOR = (SIO_OUT ^ ((value ^ port.invert) << FIRST_PIN)) & mask << FIRST_PIN;
+typedef struct port_word {
+    uint32_t mask, value;
+} port_word_t;
+
+static inline port_word_t port_word(uint32_t mask, uint32_t value) {
+    return (port_word_t){mask << FIRST_PIN, (value ^ port.invert) << FIRST_PIN};
+}
+
+static inline void port_write(port_word_t word) {
+    SIO_OUT_XOR = (SIO_OUT ^ word.value) & word.mask;
 }
 
 #endif

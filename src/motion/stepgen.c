@@ -8,8 +8,8 @@
 #include "motion/stepgen.h"
 #include "hal/hal.h"
 
-#define LEAD_TICKS 160 /* from starting to the first piece: longer than it takes to get there */
-#define EARLY_TICKS 16 /* called earlier than this before the deadline: stepgen_hold() armed the timer */
+#define LEAD_TICKS 2000 /* from starting to the first piece: longer than it takes to get there */
+#define EARLY_TICKS 16  /* called earlier than this before the deadline: stepgen_hold() armed the timer */
 #define SLICE_TICKS (HAL_TICK_HZ / 2000) /* the speed is constant so long while time is stretched */
 #define SLICE (SLICE_TICKS / STEPGEN_SPEED_TICKS)
 #define ONE_Q16 (1u << 16)
