@@ -1,5 +1,5 @@
 #!/bin/sh
-# deps.sh GROUP... - installs the Debian packages of the groups host, test, firmware, emu, check and bench that are missing, and only those.
+# deps.sh GROUP... - installs the Debian packages of the groups host, test, firmware, emu, check, uml and bench that are missing, and only those.
 # Silent and without a network when nothing is missing.
 packages() {
     case $1 in
@@ -13,6 +13,7 @@ packages() {
         command -v npm >/dev/null || echo npm
         ;;
     check) echo clang-format clang-tidy cppcheck valgrind gcc-arm-none-eabi libnewlib-arm-none-eabi ;;
+    uml) echo libc6-dev make xz-utils linux-source flex bison bc gpiod procps ;;
     bench) echo gnuplot-nox plplot-driver-cairo libplplot-dev ;;
     *) echo "deps.sh: unknown group $1" >&2; exit 2 ;;
     esac

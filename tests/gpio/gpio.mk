@@ -37,3 +37,13 @@ test-run: gpio-ready
 GPIO_RUN := $(GPIO_TESTS)
 endif
 endif
+
+# The emulation's truth check: the same programs on the kernel's own gpio-sim. Its kernel takes minutes to build, once, so it is not
+# part of `make test`.
+.PHONY: check-uml check-uml-run
+check-uml: ## install what is missing, run ridgeline-gpio on gpio-sim of a user-mode Linux: at most 40 minutes, usually 3, then 1
+	$(Q)sh .ci/deps.sh host test uml
+	+$(Q)$(again) check-uml-run
+check-uml-run: gpio-ready
+	$(Q)JOBS=$(JOBS) timeout 1800 sh tests/gpio/uml_build.sh $(BUILDDIR)/gpio/uml
+	$(Q)$(RUN_TESTS) tests/gpio/uml.sh
