@@ -1,9 +1,10 @@
 #!/bin/sh
 # get_v2.sh FOLDER - unpacks libgpiod 2.x of the next Debian release beside the installed 1.6: library and headers, nothing
-# installed. Writes FOLDER/env, which a build with it sources. Fails when the packages cannot be had.
+# installed. Writes FOLDER/env, which a build with it sources, and FOLDER/tool, which runs `tool gpioinfo ...` with that release's C
+# library. Fails when the packages cannot be had.
 set -e
 folder=$(realpath -m "$1")
-[ -e "$folder/env" ] && exit 0
+[ -e "$folder/env" ] && [ -e "$folder/tool" ] && exit 0
 rm -rf "$folder"
 mkdir -p "$folder/apt/lists/partial" "$folder/apt/archives/partial"
 cd "$folder"
@@ -18,10 +19,20 @@ apt() {
         -o Dir::Cache::archives="$folder/apt/archives" -o Acquire::Languages=none -o APT::Sandbox::User=root "$@"
 }
 apt update
-apt download libgpiod3 libgpiod-dev
-for package in *.deb; do dpkg-deb -x "$package" root; done
+apt download libgpiod3 libgpiod-dev gpiod libc6 libedit2 libtinfo6 libbsd0 libmd0
+for package in libgpiod*.deb; do dpkg-deb -x "$package" root; done
+# The C library apart: the program is built with, and runs on, this machine's.
+for package in *.deb; do dpkg-deb -x "$package" tools; done
 rm -rf apt ./*.deb
-lib=$folder/root/usr/lib/$(gcc -print-multiarch)
+arch=$(gcc -print-multiarch)
+lib=$folder/root/usr/lib/$arch
+cat >tool <<END
+#!/bin/sh
+program=\$1
+shift
+exec $(echo "$folder/tools/usr/lib/$arch"/ld-linux*.so.*) --library-path $folder/tools/usr/lib/$arch $folder/tools/usr/bin/\$program "\$@"
+END
+chmod +x tool
 cat >env <<END
 export GPIO_PKG_CONFIG='env PKG_CONFIG_SYSROOT_DIR=$folder/root PKG_CONFIG_LIBDIR=$lib/pkgconfig pkg-config' GPIO_LDFLAGS=-Wl,-rpath,$lib
 END
