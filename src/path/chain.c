@@ -1,14 +1,17 @@
 /* chain.c - clusters of ends on a hash over page cells. See chain.h. */
 #include "path/chain.h"
+#include "path/census.h"
 #include "path/dist.h"
+#include "path/sort.h"
 
 #define CLUSTER_MAX 8 /* ends that are paired together: a grid node has four */
-#define SCAN_MAX                                                                                                       \
-    256 /* ends looked at in one bucket; more only if thousands crowd into one cell, and then any will do */
-#define BUCKET_MAX 16 /* ends of a bucket compared with each other directly */
+#define SCAN_MAX 256  /* ends looked at in one bucket; more only where thousands crowd: then any will do */
 #define CELL_BITS 4   /* a cell is at least 2^4 tolerances wide, so most queries see a single cell */
+#define FREE (-1)     /* in mate, until chain_close: not paired */
+#define ALONE (-2)    /* and nobody near */
 #define STRAIGHT (1 << 29)
 #define UNIT_BITS 13 /* of direction vectors */
+_Static_assert((POOL_RUNS_MIN + 1) * 4 * sizeof(int32_t) >= CENSUS_BYTES_MIN, "the census lies over links and buckets");
 _Static_assert(POOL_WORK_PER_RUN >= 2 * sizeof(page_point_t) + 4 * sizeof(int32_t), "points, next, head");
 
 static uint32_t bucket(const chain_t *c, int32_t cx, int32_t cy) {
@@ -23,13 +26,18 @@ void chain_enter(chain_t *c, int32_t e, page_point_t p) {
     c->head[b] = e;
 }
 
-static void forget_all(chain_t *c) {
+/* Empty buckets, one for each of so many ends. */
+static void make_buckets(chain_t *c, int32_t ends) {
+    c->mask = 0;
+    while ((int32_t)c->mask < ends && (int64_t)2 * c->mask + 2 <= 2 * (int64_t)c->pool->cap) c->mask = 2 * c->mask + 1;
     for (uint32_t b = 0; b <= c->mask; b++) c->head[b] = -1;
 }
 
 void chain_enter_free(chain_t *c) {
-    forget_all(c);
-    for (int32_t e = 0; e < 2 * c->pool->n; e++) {
+    int32_t ends = 2 * c->pool->n, entered = 0;
+    for (int32_t e = 0; e < ends; e++) entered += c->pool->mate[e] < 0;
+    make_buckets(c, entered);
+    for (int32_t e = 0; e < ends; e++) {
         if (c->pool->mate[e] < 0) chain_enter(c, e, c->point[e]);
     }
 }
@@ -41,21 +49,35 @@ int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near
     c->next = (int32_t *)(void *)(c->point + ends);
     c->head = c->next + ends;
     while (near_lat << CELL_BITS > 1 << c->shift) c->shift++;
-    while ((int64_t)2 * c->mask + 2 <= 2 * (int64_t)pool->n) c->mask = 2 * c->mask + 1;
-    forget_all(c);
     for (int32_t r = 0; r < pool->n; r++) {
-        page_point_t from, to;
-        while (r < pool->n && !(pool_end_point(pool, map, 2 * r, &from) && pool_end_point(pool, map, 2 * r + 1, &to))) {
+        page_point_t *p = &c->point[2 * r];
+        while (r < pool->n && !(pool_end_point(pool, map, 2 * r, p) && pool_end_point(pool, map, 2 * r + 1, p + 1))) {
             pool->run[r] = pool->run[--pool->n];
             lost++;
         }
-        if (r == pool->n) break;
-        pool->mate[2 * r] = pool->mate[2 * r + 1] = -1;
-        pool->run[r].to_hi &= ~RUN_SEEN;
-        chain_enter(c, 2 * r, from);
-        chain_enter(c, 2 * r + 1, to);
     }
     return lost;
+}
+
+/* Enters the ends that may have a neighbour, and marks the others ALONE. The census is taken in the memory of the links
+ * and buckets, which come after it. */
+static void enter_all(chain_t *c) {
+    pool_t *pool = c->pool;
+    int32_t ends = 2 * pool->n;
+    census_t census;
+    census_init(&census, (uint32_t *)c->next, sizeof *c->next * 4 * ((size_t)pool->cap + 1), ends, c->shift - 1);
+    for (int32_t e = 0; e < ends; e++) census_enter(&census, c->point[e]);
+    int32_t entered = 0;
+    for (int32_t e = 0; e < ends; e++) {
+        bool alone = census_is_alone(&census, c->point[e], c->near_lat);
+        pool->mate[e] = alone ? ALONE : FREE;
+        entered += !alone;
+    }
+    make_buckets(c, entered);
+    for (int32_t e = 0; e < ends; e++) {
+        if (pool->mate[e] == FREE) chain_enter(c, e, c->point[e]);
+    }
+    for (int32_t r = 0; r < pool->n; r++) pool->run[r].to_hi &= ~RUN_SEEN;
 }
 
 static bool is_near(const chain_t *c, page_point_t a, page_point_t b) {
@@ -144,39 +166,16 @@ static void pair_here(chain_t *c, int32_t *cluster, int n) {
     if (n > 2) pair_cluster(c, cluster, n);
 }
 
-/* Is all that is near p in p's own cell? */
-static bool is_inner(const chain_t *c, page_point_t p) {
-    int32_t last = (1 << c->shift) - 1, x = p.x_lat & last, y = p.y_lat & last;
-    return x >= c->near_lat && y >= c->near_lat && x <= last - c->near_lat && y <= last - c->near_lat;
-}
-
-/* Bucket by bucket, so that every end is fetched from memory once, and not once for each of its neighbours. */
 void chain_pair(chain_t *c) {
-    for (uint32_t b = 0; b <= c->mask; b++) {
-        page_point_t point[BUCKET_MAX];
-        int32_t end[BUCKET_MAX], cluster[CLUSTER_MAX], ends = 0, e = c->head[b];
-        for (; e >= 0 && ends < BUCKET_MAX; e = c->next[e]) {
-            point[ends] = c->point[e];
-            end[ends++] = e;
-        }
-        bool whole = e < 0;
-        for (int i = 0; i < ends; i++) {
-            int n = 0;
-            bool inner = whole && is_inner(c, point[i]);
-            if (inner && ends == 1) break;
-            if (c->pool->mate[end[i]] >= 0) continue;
-            if (inner) {
-                for (int k = 0; k < ends && n < CLUSTER_MAX; k++) {
-                    if (is_near(c, point[i], point[k]) && c->pool->mate[end[k]] < 0) cluster[n++] = end[k];
-                }
-            } else {
-                n = chain_free_ends(c, point[i], cluster, CLUSTER_MAX);
-            }
-            pair_here(c, cluster, n);
-        }
-        for (; e >= 0; e = c->next[e]) {
-            if (c->pool->mate[e] < 0) pair_here(c, cluster, chain_free_ends(c, c->point[e], cluster, CLUSTER_MAX));
-        }
+    sort_runs(c->pool, c->point, (uint32_t *)c->next);
+    enter_all(c);
+    for (int32_t e = 0; e < 2 * c->pool->n; e++) {
+        int32_t cluster[CLUSTER_MAX];
+        if (c->pool->mate[e] != FREE) continue;
+        int n = chain_free_ends(c, c->point[e], cluster, CLUSTER_MAX), k = 0;
+        while (k < n && cluster[k] != e) k++;
+        if (k == n) cluster[n < CLUSTER_MAX ? n++ : n - 1] = e; /* in a crowd it may not be found: its turn is now */
+        pair_here(c, cluster, n);
     }
 }
 

@@ -4,7 +4,8 @@
  * that touch. Within a cluster the straightest pairs are taken first (two runs of one line are straighter than
  * anything), so no run is ever cut to turn, and at most one end of a cluster stays free. That gives half as many
  * strokes as there are nodes of odd degree, Euler's minimum, up to closed strokes, which loop.h then opens. Memory: the
- * pool's work area. Cost: linear; a hash over page cells, and directions only where three or more ends meet. */
+ * pool's work area. Cost: linear; a hash over page cells of those that have neighbours (census.h), and directions only
+ * where three or more ends meet. */
 #ifndef CHAIN_H
 #define CHAIN_H
 
@@ -21,9 +22,10 @@ typedef struct chain {
     int shift;           /* page cells are 2^shift lat wide */
 } chain_t;
 
-/* Finds the page points of all ends. Runs that the map does not find are removed and counted in the result. */
+/* Finds the page points of all ends, and changes nothing else: runs keep their order of arrival. But those that the map
+ * does not find are removed, and counted in the result. */
 int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near_lat);
-/* Pairs ends: fills pool->mate; free ends hold -1 until chain_close. */
+/* Sorts the runs (sort.h) and pairs ends: fills pool->mate; free ends are negative until chain_close says more. */
 void chain_pair(chain_t *c);
 /* Links the two free ends of every stroke; RUN_SEEN then marks every run of an open stroke, and those that are not
  * marked are closed strokes. Returns the number of open strokes. */

@@ -1,8 +1,7 @@
 /* dist.c - table square root. See dist.h. */
 #include "path/dist.h"
 
-/* 2^14 sqrt(1 + k / 32), k = 0..96 */
-static const uint16_t ROOT_Q14[97] = {
+const uint16_t DIST_ROOT_Q14[97] = {
     16384, 16638, 16888, 17135, 17378, 17618, 17854, 18087, 18318, 18545, 18770, 18992, 19212, 19429,
     19644, 19856, 20066, 20274, 20480, 20684, 20886, 21085, 21283, 21480, 21674, 21867, 22058, 22247,
     22435, 22621, 22806, 22989, 23170, 23351, 23530, 23707, 23884, 24059, 24232, 24405, 24576, 24746,
@@ -10,21 +9,6 @@ static const uint16_t ROOT_Q14[97] = {
     27170, 27324, 27477, 27629, 27780, 27931, 28081, 28230, 28378, 28525, 28672, 28818, 28963, 29108,
     29251, 29394, 29537, 29678, 29819, 29960, 30099, 30238, 30377, 30515, 30652, 30788, 30924, 31059,
     31194, 31328, 31462, 31595, 31727, 31859, 31991, 32122, 32252, 32382, 32511, 32640, 32768};
-
-/* 2^up sqrt(square), to the nearest. */
-static uint32_t root(uint32_t square, int up) {
-    if (square == 0) return 0;
-    int shift = __builtin_clz(square) & ~1;
-    uint32_t v = square << shift; /* in [2^30, 2^32), its root in 2^15 [1, 2) */
-    uint32_t k = (v >> 25) - 32, part = (v >> 17) & 0xff;
-    uint32_t root_q22 = ((uint32_t)ROOT_Q14[k] << 8) + (uint32_t)(ROOT_Q14[k + 1] - ROOT_Q14[k]) * part;
-    int down = 22 - 15 + shift / 2 - up;
-    return down > 0 ? (root_q22 + (1u << (down - 1))) >> down : root_q22 << -down;
-}
-
-uint32_t dist_root(uint32_t square) {
-    return root(square, 0);
-}
 
 uint32_t dist_of(int32_t dx, int32_t dy) {
     uint32_t ax = dx < 0 ? 0u - (uint32_t)dx : (uint32_t)dx, ay = dy < 0 ? 0u - (uint32_t)dy : (uint32_t)dy;
@@ -35,7 +19,7 @@ uint32_t dist_of(int32_t dx, int32_t dy) {
         ax = (ax + half) >> shift;
         ay = (ay + half) >> shift;
     }
-    return root(ax * ax + ay * ay, shift);
+    return dist_root_up(ax * ax + ay * ay, shift);
 }
 
 uint32_t dist_between(page_point_t a, page_point_t b) {

@@ -14,9 +14,10 @@
 
 #define SEGMENT_MAX 3     /* strokes moved by Or-opt */
 #define REVERSAL_MAX 1000 /* longer reversals are not worth their cost; strokes in the shorter side */
-#define STRETCH_MAX 30    /* strokes in each of the two stretches that a kick exchanges */
+#define STRETCH_MAX 20    /* strokes in each of the two stretches that a kick exchanges */
 #define TODO_MAX 64       /* strokes to look at again after a kick */
 #define JOURNAL_MAX 64
+#define CROWD 2 /* items to a cell: so many that the cells around hold the neighbours worth trying */
 
 typedef struct search {
     tour_t *t;
@@ -97,17 +98,15 @@ static bool is_far(const tour_t *t, int32_t a, int32_t c) {
     return length > REVERSAL_MAX && t->n + 1 - length > REVERSAL_MAX;
 }
 
-/* saved: the link a - b without a - c. What would make the gain smaller is computed only while it can still be the
- * best. */
-static void try_two(search_t *s, change_t *best, int32_t c, int32_t saved) {
-    int32_t d = link_of(s->t, c), gain = saved + gap(s, c, d);
+/* saved: the links a - b and c - d without a - c. What would make the gain smaller is computed only while it can still
+ * be the best. */
+static void try_two(search_t *s, change_t *best, int32_t c, int32_t d, int32_t gain) {
     if (gain > best->gain) gain -= gap(s, best->b, d);
     if (gain > best->gain) *best = (change_t){gain, best->a, best->b, c, d, -1, -1};
 }
 
-static void try_segment(search_t *s, change_t *best, int32_t c, int32_t saved) {
-    const int32_t a = best->a, b = best->b, d = link_of(s->t, c);
-    saved += gap(s, c, d);
+static void try_segment(search_t *s, change_t *best, int32_t c, int32_t d, int32_t saved) {
+    const int32_t a = best->a, b = best->b;
     for (int32_t k = 0, start = c; k < SEGMENT_MAX; k++) {
         if (start >> 1 == a >> 1 || start >> 1 == b >> 1) return;
         int32_t e = start ^ 1, f = link_of(s->t, e), gain = saved + gap(s, e, f);
@@ -131,10 +130,10 @@ static void find_in_cell(search_t *s, change_t *best, const near_cell_t *cell, i
     for (int32_t i = 0; i < count; i++) {
         int32_t c = item[i];
         if (near_square(at, t->spot[c]) >= limit || c >> 1 == a >> 1) continue;
-        int32_t saved = ab - gap(s, a, c);
         if (is_far(t, a, c)) continue;
-        if (out == is_exit(t, c)) try_two(s, best, c, saved);
-        try_segment(s, best, c, saved);
+        int32_t d = link_of(t, c), saved = ab - gap(s, a, c) + gap(s, c, d);
+        if (out == is_exit(t, c)) try_two(s, best, c, d, saved);
+        try_segment(s, best, c, d, saved);
     }
 }
 
@@ -144,8 +143,9 @@ static change_t find(search_t *s, int32_t a) {
     const near_t *g = &t->near;
     int32_t b = link_of(t, a), ab = gap(s, a, b);
     change_t best = {0, a, b, -1, -1, -1, -1};
-    int32_t x = t->spot[a].x, y = t->spot[a].y, cx = x >> g->shift, cy = y >> g->shift;
-    int32_t x0 = (x - ab) >> g->shift, x1 = (x + ab) >> g->shift, y0 = (y - ab) >> g->shift, y1 = (y + ab) >> g->shift;
+    int32_t x = t->spot[a].x, y = t->spot[a].y, cx = x >> g->shift_x, cy = y >> g->shift_y;
+    int32_t x0 = (x - ab) >> g->shift_x, x1 = (x + ab) >> g->shift_x;
+    int32_t y0 = (y - ab) >> g->shift_y, y1 = (y + ab) >> g->shift_y;
     if (ab == 0) return best;
     for (int32_t j = y0 < cy ? cy - 1 : cy; j <= (y1 > cy ? cy + 1 : cy); j++) {
         for (int32_t i = x0 < cx ? cx - 1 : cx; i <= (x1 > cx ? cx + 1 : cx); i++) {
@@ -256,7 +256,7 @@ void tour_improve(tour_t *t, int64_t operations) {
     search_t s = {.t = t, .random = 1};
     t->budget = operations;
     if (t->n < 2 || operations <= 0) return;
-    near_build(&t->near, t->n + 1, NULL);
+    near_build(&t->near, t->n + 1, CROWD);
     descend(&s);
     s.local = true;
     while (t->n >= 4 && t->budget > 0) {

@@ -2,68 +2,110 @@
 #include "path/near.h"
 #include <stddef.h>
 
-#define SPOTS_ACROSS 46340 /* the longest distance there is, 2^15 sqrt 2, and just below 2^15.5 */
-
 static near_cell_t *cell_of(const near_t *g, spot_t s) {
-    return &g->cell[(s.y >> g->shift) * g->nx + (s.x >> g->shift)];
+    return &g->cell[(s.y >> g->shift_y) * g->nx + (s.x >> g->shift_x)];
 }
 
-static bool is_out(const int32_t *place, int32_t item) {
-    return place && place[item >> 1] >= 0;
-}
-
-static void set_size(near_t *g, int32_t items, int32_t x_max, int32_t y_max) {
-    int32_t wanted = items / 4 + 1 < g->cells_max ? items / 4 + 1 : g->cells_max;
-    for (g->shift = 0; g->shift < 15; g->shift++) {
-        if (((x_max >> g->shift) + 1) * ((y_max >> g->shift) + 1) <= wanted) break;
+static void set_size(near_t *g, int32_t items, int32_t crowd, int32_t x_max, int32_t y_max) {
+    int32_t wanted = items / crowd + 1 < g->cells_max ? items / crowd + 1 : g->cells_max;
+    for (g->shift_x = g->shift_y = 0; g->shift_x < 15;) {
+        if (((x_max >> g->shift_x) + 1) * ((y_max >> g->shift_y) + 1) <= wanted) break;
+        if (g->shift_y > g->shift_x)
+            g->shift_x++;
+        else
+            g->shift_y++;
     }
-    g->nx = (x_max >> g->shift) + 1;
-    g->ny = (y_max >> g->shift) + 1;
+    g->nx = (x_max >> g->shift_x) + 1;
+    g->ny = (y_max >> g->shift_y) + 1;
 }
 
-void near_build(near_t *g, int32_t strokes, const int32_t *place) {
-    int32_t items = 0, x_max = 0, y_max = 0;
-    for (int32_t i = 0; i < 2 * strokes; i++) {
-        if (is_out(place, i)) continue;
-        items++;
-        if (g->spot[i].x > x_max) x_max = g->spot[i].x;
-        if (g->spot[i].y > y_max) y_max = g->spot[i].y;
+/* Sorts the items from[0..n) into g->item, which they may not overlap; from == NULL stands for 0..n-1. */
+static void fill(near_t *g, const int32_t *from, int32_t n, int32_t crowd) {
+    int32_t x_max = 0, y_max = 0;
+    for (int32_t i = 0; i < n; i++) {
+        spot_t s = g->spot[from ? from[i] : i];
+        if (s.x > x_max) x_max = s.x;
+        if (s.y > y_max) y_max = s.y;
     }
-    set_size(g, items, x_max, y_max);
+    set_size(g, n, crowd, x_max, y_max);
     for (int32_t k = 0; k < g->nx * g->ny; k++) g->cell[k] = (near_cell_t){0, 0};
-    for (int32_t i = 0; i < 2 * strokes; i++) {
-        if (!is_out(place, i)) cell_of(g, g->spot[i])->start++;
-    }
+    for (int32_t i = 0; i < n; i++) cell_of(g, g->spot[from ? from[i] : i])->start++;
     uint32_t sum = 0;
     for (int32_t k = 0; k < g->nx * g->ny; k++) {
-        uint32_t n = g->cell[k].start;
+        uint32_t count = g->cell[k].start;
         g->cell[k].start = sum;
-        sum += n;
+        sum += count;
     }
-    for (int32_t i = 0; i < 2 * strokes; i++) {
-        if (is_out(place, i)) continue;
-        near_cell_t *c = cell_of(g, g->spot[i]);
-        g->item[c->start + c->count++] = i;
+    for (int32_t i = 0; i < n; i++) {
+        int32_t item = from ? from[i] : i;
+        near_cell_t *c = cell_of(g, g->spot[item]);
+        g->item[c->start + c->count++] = item;
     }
+}
+
+void near_build(near_t *g, int32_t strokes, int32_t crowd) {
+    g->items = 2 * strokes;
+    fill(g, NULL, g->items, crowd);
+}
+
+/* What is left moves to the end of the items' memory, and is sorted from there into its beginning. */
+void near_thin(near_t *g, int32_t crowd, const int32_t *place) {
+    int32_t n = 0, *end = g->item + g->items;
+    for (int32_t k = g->nx * g->ny - 1; k >= 0; k--) {
+        const int32_t *item = &g->item[g->cell[k].start];
+        for (uint32_t i = g->cell[k].count; i-- > 0;) {
+            if (place[item[i] >> 1] < 0) end[-++n] = item[i];
+        }
+    }
+    fill(g, end - n, n, crowd);
 }
 
 const near_cell_t *near_cell_at(const near_t *g, int32_t cx, int32_t cy) {
     return cx < 0 || cy < 0 || cx >= g->nx || cy >= g->ny ? NULL : &g->cell[cy * g->nx + cx];
 }
 
-/* Looks for something nearer than *best in the cell (cx, cy). */
-static void take_from_cell(near_t *g, int32_t cx, int32_t cy, spot_t at, const int32_t *place, uint32_t *best,
-                           int32_t *found) {
-    near_cell_t *c = &g->cell[cy * g->nx + cx];
-    int32_t *item = &g->item[c->start];
-    for (uint32_t i = 0, looked = 0; i < c->count && looked < NEAR_CELL_SCAN;) {
-        if (place[item[i] >> 1] >= 0) {
+/* A search: the nearest item so far, and its distance. */
+typedef struct search {
+    near_t *g;
+    const int32_t *place;
+    spot_t at;
+    int32_t cx, cy, found;
+    uint32_t best;
+} search_t;
+
+static void search_cell(search_t *s, near_cell_t *c) {
+    int32_t *item = &s->g->item[c->start];
+    for (uint32_t i = 0; i < c->count && i < NEAR_CELL_SCAN;) {
+        if (s->place[item[i] >> 1] >= 0) {
             item[i] = item[--c->count];
             continue;
         }
-        uint32_t d = near_square(g->spot[item[i]], at);
-        if (d < *best) *best = d, *found = item[i];
-        i++, looked++;
+        uint32_t d = near_square(s->g->spot[item[i]], s->at);
+        if (d < s->best) s->best = d, s->found = item[i];
+        i++;
+    }
+}
+
+/* How far it is from v to the cells that are `by` (of either sign) columns or rows away from its own, c. */
+static uint32_t away(int32_t v, int32_t c, int shift, int32_t by) {
+    int32_t d = by > 0 ? (c + by) * (1 << shift) - v : by < 0 ? v - (c + by + 1) * (1 << shift) + 1 : 0;
+    return d < 0 ? 0 : (uint32_t)d;
+}
+
+/* Row cy + r of cells: from column cx - out to cx + out, those `step` apart. */
+static void search_row(search_t *s, int32_t r, int32_t out, int32_t step) {
+    near_t *g = s->g;
+    int32_t y = s->cy + r;
+    if (y < 0 || y >= g->ny) return;
+    uint32_t dy = away(s->at.y, s->cy, g->shift_y, r);
+    if (dy * dy >= s->best) return;
+    for (int32_t i = -out; i <= out; i += step) {
+        int32_t x = s->cx + i;
+        if (x < 0 || x >= g->nx) continue;
+        near_cell_t *c = &g->cell[y * g->nx + x];
+        if (c->count == 0) continue;
+        uint32_t dx = away(s->at.x, s->cx, g->shift_x, i);
+        if (dx * dx + dy * dy < s->best) search_cell(s, c);
     }
 }
 
@@ -71,28 +113,23 @@ static int32_t clamp(int32_t v, int32_t max) {
     return v < 0 ? 0 : v > max ? max : v;
 }
 
-/* Is everything outside ring r farther than `square`? */
-static bool is_settled(const near_t *g, spot_t at, int32_t cx, int32_t cy, int32_t r, uint32_t square) {
-    int32_t left = at.x - (cx - r) * (1 << g->shift), right = (cx + r + 1) * (1 << g->shift) - at.x;
-    int32_t down = at.y - (cy - r) * (1 << g->shift), up = (cy + r + 1) * (1 << g->shift) - at.y;
-    int32_t x = left < right ? left : right, y = down < up ? down : up, margin = x < y ? x : y;
-    return margin > SPOTS_ACROSS || (margin > 0 && square <= (uint32_t)(margin * margin));
-}
-
 int32_t near_take(near_t *g, spot_t at, const int32_t *place) {
-    int32_t cx = clamp(at.x >> g->shift, g->nx - 1), cy = clamp(at.y >> g->shift, g->ny - 1);
-    int32_t found = -1, rings = g->nx > g->ny ? g->nx : g->ny;
-    uint32_t best = UINT32_MAX;
+    search_t s = {.g = g, .place = place, .at = at, .found = -1, .best = UINT32_MAX};
+    s.cx = clamp(at.x >> g->shift_x, g->nx - 1);
+    s.cy = clamp(at.y >> g->shift_y, g->ny - 1);
+    int32_t rings = g->nx > g->ny ? g->nx : g->ny;
     for (int32_t r = 0; r < rings; r++) {
-        int32_t y0 = cy - r, y1 = cy + r;
-        for (int32_t y = y0 < 0 ? 0 : y0; y <= y1 && y < g->ny; y++) {
-            bool whole = y == y0 || y == y1;
-            int32_t x = cx - r, step = whole || r == 0 ? 1 : 2 * r;
-            for (; x <= cx + r; x += step) {
-                if (x >= 0 && x < g->nx) take_from_cell(g, x, y, at, place, &best, &found);
-            }
+        uint32_t nearest = UINT32_MAX; /* of what the ring may hold */
+        for (int side = -1; side <= 1; side += 2) {
+            uint32_t x = away(at.x, s.cx, g->shift_x, side * r), y = away(at.y, s.cy, g->shift_y, side * r);
+            if (x < nearest) nearest = x;
+            if (y < nearest) nearest = y;
         }
-        if (found >= 0 && is_settled(g, at, cx, cy, r, best)) break;
+        if (nearest * nearest >= s.best) break;
+        search_row(&s, -r, r, 1);
+        if (r == 0) continue;
+        for (int32_t k = 1 - r; k < r; k++) search_row(&s, k, r, 2 * r);
+        search_row(&s, r, r, 1);
     }
-    return found;
+    return s.found;
 }

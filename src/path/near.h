@@ -1,8 +1,8 @@
 /* near.h - which stroke ends are near a place: a grid over the page.
  *
  * Coordinates are "spots": 15 bits an axis over the drawing's extent, so that squares fit 32 bits and a stroke's ends
- * cost 8 bytes. Items are 2 * stroke + side. Cells hold about four items when the grid is built; heavy
- * cells are not searched to the end, since whatever is in the same cell is near. */
+ * cost 8 bytes. Items are 2 * stroke + side. Heavy cells are not searched to the end, since whatever is in the same
+ * cell is near. */
 #ifndef NEAR_H
 #define NEAR_H
 
@@ -20,10 +20,11 @@ typedef struct near_cell {
 typedef struct near {
     const spot_t *spot; /* of every item */
     int32_t *item;
+    int32_t items; /* entered by near_build: how much of `item` is used */
     near_cell_t *cell;
     int32_t cells_max;
     int32_t nx, ny;
-    int shift; /* a cell is 2^shift spots wide */
+    int shift_x, shift_y; /* a cell is 2^shift_x spots wide, and as high or twice as high */
 } near_t;
 
 #define NEAR_CELL_SCAN 32 /* items looked at in one cell */
@@ -33,8 +34,12 @@ static inline uint32_t near_square(spot_t a, spot_t b) {
     return (uint32_t)(dx * dx) + (uint32_t)(dy * dy);
 }
 
-/* Enters both ends of the strokes 0..strokes-1 for which place[stroke] < 0, or of all if place is NULL. */
-void near_build(near_t *g, int32_t strokes, const int32_t *place);
+/* Enters both ends of the strokes 0..strokes-1, `crowd` or up to twice as many to a cell of the drawing's extent, if
+ * there is memory for so many cells. */
+void near_build(near_t *g, int32_t strokes, int32_t crowd);
+/* Builds the grid anew, as coarse as what is left is sparse: the strokes with place[stroke] >= 0 are gone. At least
+ * half must be. */
+void near_thin(near_t *g, int32_t crowd, const int32_t *place);
 /* The nearest item of a stroke with place[stroke] < 0, or -1 when none is left. Others are forgotten on the way.
  * Exact but for heavy cells. */
 int32_t near_take(near_t *g, spot_t at, const int32_t *place);

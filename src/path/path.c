@@ -87,6 +87,7 @@ static int flush(path_t *p, bool all) {
     p->drawing = tour.n;
     for (int32_t k = 0; k < count; k++) {
         p->drawn = k;
+        tour_fetch(&tour, pool, k);
         int32_t start = tour_stroke(&tour, pool, k);
         if (!all && drop_if_dot(p, start)) continue;
         int err = emit_stroke(pool, p->map, start, &p->simplify, &p->stats.vertices);

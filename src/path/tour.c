@@ -2,6 +2,8 @@
 #include "path/tour.h"
 
 _Static_assert(POOL_WORK_PER_RUN >= 4 * (2 + 1 + 1 + 1 + 2 + 1), "items, order, place, end, spots, cells");
+#define CROWD 1 /* items to a cell: the search looks at the fewest */
+
 _Static_assert(sizeof(near_cell_t) == 8 && sizeof(spot_t) == 4, "the layout below");
 
 static void lay_out(tour_t *t, const pool_t *pool) {
@@ -58,12 +60,13 @@ void tour_collect(tour_t *t, const chain_t *c, page_point_t at, page_point_t hom
 }
 
 void tour_greedy(tour_t *t) {
-    int32_t left = t->n, built = INT32_MAX;
+    int32_t left = t->n, built = t->n;
     spot_t at = t->spot[2 * t->n + 1];
     for (int32_t k = 0; k <= t->n; k++) t->place[k] = -1;
+    near_build(&t->near, t->n, CROWD);
     while (left > 0) {
         if (left <= built / 4) { /* keep the grid as coarse as what is left is sparse */
-            near_build(&t->near, t->n, t->place);
+            near_thin(&t->near, CROWD, t->place);
             built = left;
         }
         int32_t item = near_take(&t->near, at, t->place);
@@ -100,4 +103,12 @@ void tour_settle(tour_t *t) {
 int32_t tour_stroke(const tour_t *t, const pool_t *pool, int32_t k) {
     int32_t item = t->order[k], e = t->end[item >> 1] & ~TOUR_QUIET;
     return item & 1 ? ~pool->mate[e] : e;
+}
+
+void tour_fetch(const tour_t *t, const pool_t *pool, int32_t k) {
+    if (k + 2 * TOUR_FETCH >= t->n) return;
+    int32_t e = t->end[t->order[k + TOUR_FETCH] >> 1] & ~TOUR_QUIET;
+    __builtin_prefetch(&t->end[t->order[k + 2 * TOUR_FETCH] >> 1]);
+    __builtin_prefetch(&pool->run[e >> 1]);
+    __builtin_prefetch(&pool->mate[e]);
 }

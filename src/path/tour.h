@@ -14,6 +14,8 @@
 
 #define TOUR_QUIET (1 << 30) /* in tour.end: nothing around this stroke can be improved at the moment */
 
+#define TOUR_FETCH 8 /* strokes that memory is asked for ahead */
+
 typedef struct tour {
     int32_t n;      /* strokes, without the pen's */
     int32_t *order; /* n + 1 items: the end at which the stroke at this place is entered */
@@ -35,5 +37,7 @@ void tour_improve(tour_t *t, int64_t operations);
 void tour_settle(tour_t *t);
 /* The end from which the stroke in place k is to be drawn, 0 <= k < n. */
 int32_t tour_stroke(const tour_t *t, const pool_t *pool, int32_t k);
+/* To be called before the stroke in place k is drawn: asks the cache for those that come soon. */
+void tour_fetch(const tour_t *t, const pool_t *pool, int32_t k);
 
 #endif
