@@ -64,7 +64,7 @@ int picture_solids(picture_t *p, const pen_sink_t *pen) {
     if (set->hidden == HIDDEN_NONE)
         err = wires_draw(&p->solid_map, &job, &p->stats.hidden);
     else
-        err = convex_draw(&p->solid_map, &job, &p->stats.hidden);
+        err = convex_draw(&p->solid_map, NULL, &job, &p->stats.hidden);
     p->stats.facets = p->solid.nf;
     p->stats.kernel_bytes = p->stats.hidden.bytes;
     return err ? err : picture_close(p);

@@ -1,9 +1,180 @@
+/* convex.c - see convex.h: each edge in turn, what is left of it after each shadow near it. */
 #include "hidden/convex.h"
-#include "hidden/wires.h"
+
+#include "error.h"
+#include "hidden/page_grid.h"
+#include "hidden/shadow.h"
+
+#define PARTS_LEAST 64 /* visible parts of one edge there is room for at least */
+
+/* A visible part of the edge at hand: parameters. */
+typedef struct part {
+    int32_t from, to;
+} part_t;
+
+typedef struct drawing {
+    const solid_map_t *map;
+    const ink_sink_t *sink, *hidden;
+    hidden_stats_t *stats;
+    shadows_t shadows;
+    page_grid_t grid;
+    part_t *part; /* in order, disjoint */
+    int32_t parts, parts_max;
+    int32_t edge; /* at hand */
+    shadow_line_t line;
+    page_box_t box; /* of the line's picture */
+    int32_t z;      /* its farthest depth */
+    bool full;
+} drawing_t;
+
 size_t convex_bytes(int32_t faces, int32_t corners, int32_t segments) {
-    (void)faces, (void)corners, (void)segments;
+    (void)segments;
+    return SHADOW_BYTES(faces, corners) + (size_t)corners * 9 * sizeof(int32_t) + PARTS_LEAST * sizeof(part_t) + 256;
+}
+
+static page_box_t shadow_box(void *ctx, int32_t k) {
+    const shadow_t *s = &((const shadows_t *)ctx)->list[k];
+    return (page_box_t){s->x0, s->y0, s->x1, s->y1};
+}
+
+/* Takes an interval off the parts that are left. */
+static void take_off(drawing_t *d, int32_t from, int32_t to) {
+    int32_t n = 0;
+    for (int32_t k = 0; k < d->parts; k++) {
+        part_t p = d->part[k];
+        if (p.to <= from || p.from >= to) {
+            d->part[n++] = p;
+        } else if (p.from < from && to < p.to) { /* two of one, once in a walk: intervals are connected */
+            if (d->parts == d->parts_max) {
+                d->full = true;
+                return;
+            }
+            for (int32_t i = d->parts++; i > k + 1; i--) d->part[i] = d->part[i - 1];
+            d->part[k] = (part_t){p.from, from};
+            d->part[k + 1] = (part_t){to, p.to};
+            return;
+        } else if (p.from < from) {
+            d->part[n++] = (part_t){p.from, from};
+        } else if (to < p.to) {
+            d->part[n++] = (part_t){to, p.to};
+        }
+    }
+    d->parts = n;
+}
+
+static bool compare(void *ctx, int32_t k) {
+    drawing_t *d = ctx;
+    shadow_t *s = &d->shadows.list[k];
+    if (s->seen == d->edge) return true;
+    s->seen = d->edge;
+    if (s->x1 < d->box.x0 - 2 || s->x0 > d->box.x1 + 2 || s->y1 < d->box.y0 - 2 || s->y0 > d->box.y1 + 2) return true;
+    if (s->z > d->z + 2) return true; /* all of it is behind the line */
+    int32_t from, to;
+    d->stats->tests++;
+    if (!shadow_hides(&d->shadows, s, &d->line, &from, &to)) return true;
+    d->stats->crossings++;
+    take_off(d, from, to);
+    return d->parts > 0 && !d->full;
+}
+
+static int emit(drawing_t *d, const ink_sink_t *sink, int32_t from, int32_t to) {
+    if (from >= to) return 0;
+    const ink_piece_t piece = {INK_SEGMENT, 0, d->edge, from, to};
+    d->stats->pieces += sink == d->sink;
+    return sink->piece(sink->ctx, &piece);
+}
+
+static int emit_parts(drawing_t *d, int32_t from, int32_t to) {
+    int32_t at = from;
+    for (int32_t k = 0; k < d->parts; k++) {
+        int err = d->hidden ? emit(d, d->hidden, at, d->part[k].from) : 0;
+        if (!err) err = emit(d, d->sink, d->part[k].from, d->part[k].to);
+        if (err) return err;
+        at = d->part[k].to;
+    }
+    return d->hidden ? emit(d, d->hidden, at, to) : 0;
+}
+
+/* Does one of the objects that share the edge hide it by itself? */
+static bool is_dropped(const drawing_t *d, int32_t edge) {
+    for (int32_t e = edge; e >= 0; e = d->map->solid->edge[e].twin)
+        if (!shadows_is_candidate(&d->shadows, &d->map->solid->edge[e])) return true;
+    return false;
+}
+
+static int draw_edge(drawing_t *d, int32_t edge) {
+    const solid_edge_t *e = &d->map->solid->edge[edge];
+    if (e->first != edge) return 0;
+    int64_t t_q30[2];
+    shadow_line_t *line = &d->line;
+    if (!solid_map_edge(d->map, edge, line->end, t_q30)) return 0;
+    const solid_place_t *a = &line->end[0], *b = &line->end[1];
+    if (a->x == b->x && a->y == b->y) return 0; /* end-on */
+    d->edge = edge;
+    d->stats->edges++;
+    d->parts = 0;
+    if (!is_dropped(d, edge)) {
+        line->v[0] = e->v[0];
+        line->v[1] = e->v[1];
+        line->exact = !solid_map_is_good(d->map, e->v[0]) || !solid_map_is_good(d->map, e->v[1]);
+        d->box = (page_box_t){a->x < b->x ? a->x : b->x, a->y < b->y ? a->y : b->y, a->x < b->x ? b->x : a->x,
+                              a->y < b->y ? b->y : a->y};
+        d->z = a->z > b->z ? a->z : b->z;
+        d->part[0] = (part_t){(int32_t)t_q30[0], (int32_t)t_q30[1]};
+        d->parts = 1;
+        page_grid_walk(&d->grid, a, b, compare, d);
+        if (d->full) return ERR_FULL;
+    }
+    return emit_parts(d, (int32_t)t_q30[0], (int32_t)t_q30[1]);
+}
+
+/* The part of the window in which there is anything: what is outside of it is not drawn. */
+static page_box_t picture_box(const solid_map_t *m) {
+    const page_window_t *w = m->lines.window;
+    page_box_t box = {w->x0_lat, w->y0_lat, w->x1_lat, w->y1_lat};
+    if (m->any_behind) return box;
+    page_box_t all = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
+    for (int32_t v = 0; v < m->solid->nv; v++) {
+        const solid_place_t *p = &m->place[v];
+        if (p->x < all.x0) all.x0 = p->x;
+        if (p->x > all.x1) all.x1 = p->x;
+        if (p->y < all.y0) all.y0 = p->y;
+        if (p->y > all.y1) all.y1 = p->y;
+    }
+    if (all.x0 > box.x0) box.x0 = all.x0 < box.x1 ? all.x0 : box.x1;
+    if (all.y0 > box.y0) box.y0 = all.y0 < box.y1 ? all.y0 : box.y1;
+    if (all.x1 < box.x1) box.x1 = all.x1 > box.x0 ? all.x1 : box.x0;
+    if (all.y1 < box.y1) box.y1 = all.y1 > box.y0 ? all.y1 : box.y0;
+    return box;
+}
+
+/* Divides the memory: shadows, room for parts, the grid; what the grid leaves goes to parts too. */
+static int set_up(drawing_t *d, const hidden_job_t *job) {
+    int err = shadows_build(&d->shadows, d->map, job->mem, job->bytes);
+    if (err) return err;
+    uint8_t *at = (uint8_t *)job->mem + d->shadows.bytes;
+    size_t left = job->bytes - d->shadows.bytes, least = PARTS_LEAST * sizeof(part_t);
+    if (left < least) return ERR_FULL;
+    const page_box_t window = picture_box(d->map);
+    err = page_grid_build(&d->grid, &window, d->shadows.n, shadow_box, &d->shadows, at, left - least);
+    if (err) return err;
+    size_t used = (d->grid.bytes + 7) & ~(size_t)7;
+    d->part = (part_t *)(void *)(at + used);
+    size_t parts = (left - used) / sizeof(part_t);
+    d->parts_max = parts < INT32_MAX ? (int32_t)parts : INT32_MAX;
+    d->stats->bytes = d->shadows.bytes + used + least;
     return 0;
 }
-int convex_draw(const solid_map_t *m, const hidden_job_t *job, hidden_stats_t *stats) {
-    return wires_draw(m, job, stats);
+
+int convex_draw(const solid_map_t *m, const ink_sink_t *hidden, const hidden_job_t *job, hidden_stats_t *stats) {
+    const int32_t edges = m->solid->ne;
+    drawing_t d = {.map = m, .sink = job->sink, .hidden = hidden, .stats = stats};
+    *stats = (hidden_stats_t){.facets = m->solid->nf};
+    if (!job->mem) return ERR_FULL;
+    int err = set_up(&d, job);
+    for (int32_t e = 0; e < edges && !err; e++) {
+        err = draw_edge(&d, e);
+        if (job->tick && (e & 255) == 0) job->tick(job->tick_ctx, e, edges);
+    }
+    return err;
 }

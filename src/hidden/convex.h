@@ -36,6 +36,6 @@
 size_t convex_bytes(int32_t faces, int32_t corners, int32_t segments);
 /* Emits the visible parts of all edges as INK_SEGMENT. If hidden is not NULL, the other parts go there. Returns 0,
  * ERR_FULL when job->mem is too small, or the sinks' errors. */
-int convex_draw(const solid_map_t *m, const hidden_job_t *job, hidden_stats_t *stats);
+int convex_draw(const solid_map_t *m, const ink_sink_t *hidden, const hidden_job_t *job, hidden_stats_t *stats);
 
 #endif

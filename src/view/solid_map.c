@@ -5,7 +5,6 @@
 #include "num/ints.h"
 #include "num/wide.h"
 
-#define PLACE_MOST (1 << 30)
 #define ROW_BITS 62 /* of the coefficients that a lattice coordinate is multiplied by */
 
 static bool lines_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, page_h_t *h) {
@@ -66,7 +65,8 @@ static int setup_eye(solid_map_t *m) {
         e[k] = num_ldexp(from, s->shift[k]);
     }
     int32_t bits = bits_for(e, 3, SOLID_EYE_BITS);
-    if (m->cam->perspective && bits > SOLID_EYE_BITS - 1) bits = SOLID_EYE_BITS - 1;
+    /* p w has to be as small as e */
+    if (m->cam->perspective && bits > SOLID_EYE_BITS - SOLID_BITS) bits = SOLID_EYE_BITS - SOLID_BITS;
     for (int k = 0; k < 3; k++) m->eye.e[k] = num_to_fixed(e[k], bits, NULL);
     /* An eye farther away than 2^50 lattice units sees what a parallel view shows. */
     m->eye.w = m->cam->perspective && bits >= 0 ? (int64_t)1 << bits : 0;
@@ -102,7 +102,7 @@ page_h_t solid_map_vertex(const solid_map_t *m, int32_t v) {
 }
 
 static int32_t limit(int64_t a) {
-    return a < -PLACE_MOST ? -PLACE_MOST : a > PLACE_MOST ? PLACE_MOST : (int32_t)a;
+    return a < -SOLID_PLACE_MOST ? -SOLID_PLACE_MOST : a > SOLID_PLACE_MOST ? SOLID_PLACE_MOST : (int32_t)a;
 }
 
 static int32_t perspective_depth(const solid_map_t *m, int64_t e) {

@@ -10,9 +10,8 @@
  * solid_map_is_behind(). Edges to one are cut: solid_map_edge(). Whatever ink such a piece gets is cut again, exactly,
  * by view/cut.
  *
- * Bits: e below 2^50, e - p w below 2^51, a plane through the eye and two vertices (difference times e - p w) 2^80,
- * times a difference 2^110: wide_t.
- * Cost: nine products a vertex, and in perspective three divisions. */
+ * Bits: e below 2^50, w at most 2^22, e - p w below 2^51, a plane through the eye and two vertices (difference times e
+ * - p w) 2^80, times a difference 2^110: wide_t. Cost: nine products a vertex, and in perspective three divisions. */
 #ifndef SOLID_MAP_H
 #define SOLID_MAP_H
 
@@ -21,17 +20,18 @@
 
 #define SOLID_EYE_BITS 50
 #define SOLID_Z_BITS 29
+#define SOLID_PLACE_MOST (1 << 29)
 
 _Static_assert(SOLID_BITS + SOLID_EYE_BITS + 2 + SOLID_BITS + 2 + 2 < 126,
                "a plane through the eye times a difference");
 
 typedef struct solid_place {
-    int32_t x, y; /* lat, limited to +-2^30 */
+    int32_t x, y; /* lat; limited to +-SOLID_PLACE_MOST, which is 16 m */
     int32_t z;    /* see above; INT32_MIN behind the eye */
 } solid_place_t;
 
 typedef struct solid_eye {
-    int64_t e[3], w; /* |e| < 2^50, 0 <= w < 2^50 */
+    int64_t e[3], w; /* |e| < 2^50, 0 <= w <= 2^22 */
 } solid_eye_t;
 
 typedef struct solid_map {
@@ -56,6 +56,12 @@ int solid_map_setup(solid_map_t *m, const solid_t *solid, const camera_t *cam, v
 page_h_t solid_map_vertex(const solid_map_t *m, int32_t v);
 static inline bool solid_map_is_behind(const solid_map_t *m, int32_t v) {
     return m->place[v].z == INT32_MIN;
+}
+/* Is it where x and y say, give or take half a lat: neither behind the eye nor beyond the limit? */
+static inline bool solid_map_is_good(const solid_map_t *m, int32_t v) {
+    const solid_place_t *p = &m->place[v];
+    return p->z != INT32_MIN && p->x > -SOLID_PLACE_MOST && p->x < SOLID_PLACE_MOST && p->y > -SOLID_PLACE_MOST &&
+           p->y < SOLID_PLACE_MOST;
 }
 /* The part of an edge in front of the eye: its ends on the page and their parameters in space (0 and INK_ONE for an
  * edge that is not cut). False if it is all behind. */

@@ -1,0 +1,121 @@
+/* page_grid.c - see page_grid.h: a counting sort by cells, and a walk row by row. */
+#include "hidden/page_grid.h"
+
+#include "error.h"
+#include "num/ints.h"
+#include <string.h>
+
+#define MARGIN 2 /* lat: places are rounded */
+
+typedef struct cells {
+    int32_t c0, r0, c1, r1; /* inclusive; empty if c0 > c1 */
+} cells_t;
+
+static cells_t cells_of(const page_grid_t *g, const page_box_t *b) {
+    const page_box_t *w = &g->window;
+    if (b->x1 < w->x0 - MARGIN || b->x0 > w->x1 + MARGIN || b->y1 < w->y0 - MARGIN || b->y0 > w->y1 + MARGIN)
+        return (cells_t){1, 1, 0, 0};
+    cells_t c = {0, 0, g->columns - 1, g->rows - 1};
+    if (b->x0 - MARGIN > w->x0) c.c0 = (b->x0 - MARGIN - w->x0) >> g->shift;
+    if (b->y0 - MARGIN > w->y0) c.r0 = (b->y0 - MARGIN - w->y0) >> g->shift;
+    if (b->x1 + MARGIN < w->x1) c.c1 = (b->x1 + MARGIN - w->x0) >> g->shift;
+    if (b->y1 + MARGIN < w->y1) c.r1 = (b->y1 + MARGIN - w->y0) >> g->shift;
+    return c;
+}
+
+static void set_shift(page_grid_t *g, int32_t shift) {
+    g->shift = shift;
+    g->columns = ((g->window.x1 - g->window.x0) >> shift) + 1;
+    g->rows = ((g->window.y1 - g->window.y0) >> shift) + 1;
+}
+
+static int64_t count(const page_grid_t *g, int32_t n, page_box_t (*box)(void *ctx, int32_t k), void *ctx) {
+    int64_t entries = 0;
+    for (int32_t k = 0; k < n; k++) {
+        page_box_t b = box(ctx, k);
+        cells_t c = cells_of(g, &b);
+        entries += (int64_t)(c.c1 - c.c0 + 1) * (c.r1 - c.r0 + 1);
+    }
+    return entries;
+}
+
+static void sort(page_grid_t *g, int32_t n, page_box_t (*box)(void *ctx, int32_t k), void *ctx) {
+    int32_t cells = g->columns * g->rows;
+    memset(g->start, 0, ((size_t)cells + 1) * sizeof *g->start);
+    for (int pass = 0; pass < 2; pass++) {
+        for (int32_t k = 0; k < n; k++) {
+            page_box_t b = box(ctx, k);
+            cells_t c = cells_of(g, &b);
+            for (int32_t r = c.r0; r <= c.r1; r++)
+                for (int32_t i = c.c0; i <= c.c1; i++) {
+                    int32_t *at = &g->start[r * g->columns + i];
+                    if (pass == 0)
+                        ++*at;
+                    else
+                        g->entry[--*at] = k;
+                }
+        }
+        if (pass == 1) break;
+        for (int32_t i = 0; i < cells; i++) g->start[i + 1] += g->start[i]; /* ends, which fill downwards */
+    }
+}
+
+int page_grid_build(page_grid_t *g, const page_box_t *window, int32_t n, page_box_t (*box)(void *ctx, int32_t k),
+                    void *ctx, void *mem, size_t bytes) {
+    *g = (page_grid_t){.window = *window, .start = mem};
+    int64_t room = (int64_t)(bytes / sizeof(int32_t));
+    int64_t width = (int64_t)window->x1 - window->x0, height = (int64_t)window->y1 - window->y0;
+    int32_t shift = 0;
+    while (((width >> shift) + 1) * ((height >> shift) + 1) > n + 1) shift++;
+    for (;; shift++) {
+        set_shift(g, shift);
+        int64_t cells = (int64_t)g->columns * g->rows, entries = count(g, n, box, ctx);
+        /* boxes that cover many cells are no better found by many */
+        bool fits = cells + 1 + entries <= room;
+        if (fits && (entries <= 8 * (int64_t)n + 64 || cells == 1)) {
+            g->entry = g->start + cells + 1;
+            g->bytes = (size_t)(cells + 1 + entries) * sizeof(int32_t);
+            sort(g, n, box, ctx);
+            return 0;
+        }
+        if (cells == 1) return ERR_FULL;
+    }
+}
+
+/* Columns first .. last of a row. */
+static bool visit_cells(const page_grid_t *g, int32_t row, int32_t first, int32_t last,
+                        bool (*visit)(void *ctx, int32_t k), void *ctx) {
+    const int32_t *from = &g->start[row * g->columns + first], *to = &g->start[row * g->columns + last + 1];
+    for (int32_t k = *from; k < *to; k++)
+        if (!visit(ctx, g->entry[k])) return false;
+    return true;
+}
+
+void page_grid_walk(const page_grid_t *g, const solid_place_t *a, const solid_place_t *b,
+                    bool (*visit)(void *ctx, int32_t k), void *ctx) {
+    if (a->y > b->y) {
+        const solid_place_t *swap = a;
+        a = b;
+        b = swap;
+    }
+    const page_box_t box = {a->x < b->x ? a->x : b->x, a->y, a->x < b->x ? b->x : a->x, b->y};
+    cells_t c = cells_of(g, &box);
+    int64_t dx = (int64_t)b->x - a->x, dy = (int64_t)b->y - a->y;
+    for (int32_t r = c.r0; r <= c.r1; r++) {
+        int32_t first = c.c0, last = c.c1;
+        if (c.r0 < c.r1 && c.c0 < c.c1) { /* the part of the line in this row */
+            int64_t low = g->window.y0 + ((int64_t)r << g->shift) - MARGIN,
+                    high = low + ((int64_t)1 << g->shift) + 2 * MARGIN;
+            if (low > b->y) low = b->y;
+            if (high < a->y) high = a->y;
+            int64_t from = low > a->y ? a->x + dx * (low - a->y) / dy : a->x;
+            int64_t to = high < b->y ? a->x + dx * (high - a->y) / dy : b->x;
+            page_box_t part = {(int32_t)(from < to ? from : to), a->y, (int32_t)(from < to ? to : from), b->y};
+            cells_t p = cells_of(g, &part);
+            if (p.c0 > p.c1) continue;
+            first = p.c0;
+            last = p.c1;
+        }
+        if (!visit_cells(g, r, first, last, visit, ctx)) return;
+    }
+}

@@ -1,0 +1,141 @@
+/* shadow.c - a segment against a shadow: a clip by planes, in space.
+ *
+ * Bits: n . p of a front plane 2^87; the normal of a plane through the eye and two vertices, a difference times e - p
+ * w, 2^80, times a difference 2^110. All signs are exact. */
+#include "hidden/shadow.h"
+
+#include "num/ints.h"
+#include "scene/solid_math.h"
+
+/* Parts of the line left and right of which it is not hidden. */
+typedef struct clip {
+    int64_t from, to;
+} clip_t;
+
+static int bits_of(wide_t a) { /* a >= 0 */
+    return a.hi ? 128 - ints_clz64((uint64_t)a.hi) : a.lo ? 64 - ints_clz64(a.lo) : 0;
+}
+
+/* INK_ONE a / (a + b) for a, b >= 0 that are not both 0. */
+static int64_t fraction(wide_t a, wide_t b) {
+    wide_t sum = wide_add(a, b);
+    int shift = bits_of(sum) - 62;
+    if (shift > 0) {
+        a = wide_sar(a, shift);
+        sum = wide_sar(sum, shift);
+    }
+    return ints_muldiv_round(INK_ONE, (int64_t)a.lo, (int64_t)sum.lo);
+}
+
+/* Takes off what is not below zero, for values a and b at the line's ends. */
+static bool clip_by(clip_t *c, wide_t a, wide_t b, int sign_a, int sign_b) {
+    if (sign_a > 0) {
+        int64_t t = fraction(a, wide_neg(b));
+        if (t > c->from) c->from = t;
+    } else if (sign_b > 0) {
+        int64_t t = fraction(wide_neg(a), b);
+        if (t < c->to) c->to = t;
+    }
+    return c->from < c->to;
+}
+
+static wide_t plane_at(const shadow_plane_t *p, const solid_vertex_t *v) {
+#ifdef __SIZEOF_INT128__
+    wide_native_t sum =
+        (wide_native_t)p->n[0] * v->at[0] + (wide_native_t)p->n[1] * v->at[1] + (wide_native_t)p->n[2] * v->at[2];
+    return wide_sub((wide_t){(int64_t)(sum >> 64), (uint64_t)sum}, p->c);
+#else
+    wide_t sum = wide_mul_s64(p->n[0], v->at[0]);
+    sum = wide_add(sum, wide_mul_s64(p->n[1], v->at[1]));
+    return wide_sub(wide_add(sum, wide_mul_s64(p->n[2], v->at[2])), p->c);
+#endif
+}
+
+/* Touching is not hidden. */
+static bool clip_by_planes(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, clip_t *c) {
+    const solid_vertex_t *vertex = s->map->solid->vertex;
+    for (int32_t k = 0; k < shadow->planes; k++) {
+        const shadow_plane_t *p = &s->plane[shadow->plane + k];
+        wide_t a = plane_at(p, &vertex[line->v[0]]), b = plane_at(p, &vertex[line->v[1]]);
+        int sign_a = wide_sign(a), sign_b = wide_sign(b);
+        if (sign_a >= 0 && sign_b >= 0) return false;
+        if (!clip_by(c, a, b, sign_a, sign_b)) return false;
+    }
+    return true;
+}
+
+static inline int64_t turn(const solid_place_t *p, const solid_place_t *q, const solid_place_t *a, int64_t *margin) {
+    int64_t ux = (int64_t)q->x - p->x, uy = (int64_t)q->y - p->y, vx = (int64_t)a->x - p->x, vy = (int64_t)a->y - p->y;
+    int64_t size = (ux < 0 ? -ux : ux) + (uy < 0 ? -uy : uy) + (vx < 0 ? -vx : vx) + (vy < 0 ? -vy : vy);
+    /* a difference of two rounded places is off by a lat and a hair */
+    *margin = size + (size >> 2) + 4;
+    return ux * vy - uy * vx;
+}
+
+/* The outline's edges from the page: is the line surely outside of one? Bit k of *open: not surely inside of edge k
+ * (the last bit stands for all from there on). */
+static bool is_outside(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, uint64_t *open) {
+    const solid_place_t *place = s->map->place;
+    *open = 0;
+    for (int32_t k = 0; k < shadow->outlines; k++) {
+        const shadow_edge_t *e = &s->outline[shadow->outline + k];
+        int64_t margin_a, margin_b;
+        int64_t a = turn(&place[e->p], &place[e->q], &line->end[0], &margin_a);
+        int64_t b = turn(&place[e->p], &place[e->q], &line->end[1], &margin_b);
+        if (a < -margin_a && b < -margin_b) return true;
+        if (a <= margin_a || b <= margin_b) *open |= (uint64_t)1 << (k < 63 ? k : 63);
+    }
+    return false;
+}
+
+/* d times a number of 51 bits and more, minus the like. */
+static wide_t minor(int32_t a, int64_t b, int32_t c, int64_t d) {
+    return wide_sub(wide_mul_s64(b, a), wide_mul_s64(d, c));
+}
+
+/* w 2^80 times d 2^29. */
+static wide_t wide_times(wide_t w, int32_t d) {
+#ifdef __SIZEOF_INT128__
+    wide_native_t p = (wide_native_t)((wide_native_u_t)(uint64_t)w.hi << 64 | w.lo) * d;
+    return (wide_t){(int64_t)(p >> 64), (uint64_t)p};
+#else
+    wide_t high = wide_shl(wide_mul_s64(w.hi, d), 64);
+    wide_u_t low = wide_mul_u64(w.lo, ints_abs64(d));
+    wide_t product = {(int64_t)low.hi, low.lo};
+    return d < 0 ? wide_sub(high, product) : wide_add(high, product);
+#endif
+}
+
+static wide_t wide_dot(const wide_t n[3], solid_delta_t d) {
+    return wide_add(wide_add(wide_times(n[0], d.d[0]), wide_times(n[1], d.d[1])), wide_times(n[2], d.d[2]));
+}
+
+/* In the plane itself is inside: behind the outline, or behind the seam of two faces. */
+static bool clip_by_outline(const shadows_t *s, const shadow_edge_t *e, const shadow_line_t *line, clip_t *c) {
+    const solid_vertex_t *vertex = s->map->solid->vertex, *p = &vertex[e->p];
+    const solid_eye_t *eye = &s->map->eye;
+    const solid_delta_t u = solid_sub(&vertex[e->q], p);
+    int64_t v[3];
+    for (int k = 0; k < 3; k++) v[k] = eye->e[k] - p->at[k] * eye->w;
+    const wide_t n[3] = {minor(u.d[1], v[2], u.d[2], v[1]), minor(u.d[2], v[0], u.d[0], v[2]),
+                         minor(u.d[0], v[1], u.d[1], v[0])};
+    wide_t a = wide_dot(n, solid_sub(&vertex[line->v[0]], p)), b = wide_dot(n, solid_sub(&vertex[line->v[1]], p));
+    int sign_a = wide_sign(a), sign_b = wide_sign(b);
+    if (sign_a == 0 && sign_b == 0) return true;
+    if (sign_a >= 0 && sign_b >= 0) return false;
+    return clip_by(c, a, b, sign_a, sign_b);
+}
+
+bool shadow_hides(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, int32_t *from, int32_t *to) {
+    clip_t c = {0, INK_ONE};
+    uint64_t open = ~(uint64_t)0;
+    if (!shadow->exact && !line->exact && is_outside(s, shadow, line, &open)) return false;
+    if (!clip_by_planes(s, shadow, line, &c)) return false;
+    for (int32_t k = 0; k < shadow->outlines && open; k++) {
+        if (!(open >> (k < 63 ? k : 63) & 1)) continue;
+        if (!clip_by_outline(s, &s->outline[shadow->outline + k], line, &c)) return false;
+    }
+    *from = (int32_t)c.from;
+    *to = (int32_t)c.to;
+    return true;
+}

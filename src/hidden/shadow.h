@@ -1,0 +1,71 @@
+/* shadow.h - what the convex parts of a scene hide: one shadow for each.
+ *
+ * The shadow of a convex part is where a line of sight has passed through it: behind all planes of its faces that look
+ * at the eye, and inside of all planes through the eye and an edge of its outline. A segment has at most one interval
+ * in it. The shadows of a scene are those of convex objects with up to SHADOW_FACES_MOST faces, of the faces of others
+ * one by one, and of triangles where a face is not convex or not flat.
+ *
+ * Memory: SHADOW_BYTES() at most; in use afterwards 48 bytes a shadow, 40 a plane, 8 an edge of an outline, 1 a face.
+ */
+#ifndef SHADOW_H
+#define SHADOW_H
+
+#include "num/wide.h"
+#include "view/solid_map.h"
+
+#define SHADOW_FACES_MOST 48 /* beyond, faces one by one are faster: the page grid leaves most of them alone */
+
+/* n . p - c < 0 behind the plane; touching is taken off c already. */
+typedef struct shadow_plane {
+    int64_t n[3];
+    wide_t c;
+} shadow_plane_t;
+
+typedef struct shadow {
+    int32_t plane, planes;
+    int32_t outline, outlines;
+    int32_t x0, y0, x1, y1; /* lat: box of the picture; everything for a part that reaches behind the eye */
+    int32_t z;              /* nearest depth (solid_place_t); INT32_MIN then */
+    int32_t seen;           /* the user's: last line it was compared with */
+    bool exact;             /* places on the page are of no use */
+} shadow_t;
+
+/* p to q with the inside to the left as the eye sees it. */
+typedef struct shadow_edge {
+    int32_t p, q;
+} shadow_edge_t;
+
+enum shadow_side { SHADOW_AWAY = 0, SHADOW_FRONT = 1, SHADOW_EDGE_ON = 2, SHADOW_SIDE = 3, SHADOW_BENT = 4 };
+
+typedef struct shadows {
+    const solid_map_t *map;
+    uint8_t *face;   /* enum shadow_side, or-ed with SHADOW_BENT: not convex or not flat */
+    uint8_t *object; /* kind (solid.h), or SOLID_OPEN for one that the eye is inside of */
+    shadow_t *list;
+    int32_t n;
+    shadow_plane_t *plane;
+    shadow_edge_t *outline;
+    size_t bytes; /* of the lent memory in use */
+} shadows_t;
+
+/* A segment to be compared with shadows. */
+typedef struct shadow_line {
+    int32_t v[2];
+    solid_place_t end[2]; /* of what is in front of the eye */
+    bool exact;           /* an end is not good (solid_map_is_good) */
+} shadow_line_t;
+
+/* Enough for a scene of so many faces, corners and objects. */
+#define SHADOW_BYTES(faces, corners)                                                                                   \
+    ((size_t)(corners) * (sizeof(shadow_t) + sizeof(shadow_plane_t) + 3 * sizeof(shadow_edge_t)) + (size_t)(faces)*8 + \
+     64)
+
+/* Finds the shadows of a scene in mem (aligned to 8), which lives as long as s. Returns 0 or ERR_FULL. */
+int shadows_build(shadows_t *s, const solid_map_t *map, void *mem, size_t bytes);
+/* Does any face at the edge (one record of twins) look at the eye, or may both its sides be seen? Otherwise its own
+ * object hides it. */
+bool shadows_is_candidate(const shadows_t *s, const solid_edge_t *edge);
+/* Is a part of the line in the shadow: parameters in space from *from to *to, 0 .. INK_ONE, *from < *to. */
+bool shadow_hides(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, int32_t *from, int32_t *to);
+
+#endif

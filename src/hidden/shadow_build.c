@@ -1,0 +1,270 @@
+/* shadow_build.c - which convex parts of a scene hide something, their planes and outlines.
+ *
+ * Counted first, then laid out, then filled in: a part is known only by its place in the order of faces. */
+#include "error.h"
+#include "hidden/shadow.h"
+#include "hidden/triangulate.h"
+#include "num/ints.h"
+#include "scene/solid_math.h"
+#include <string.h>
+
+/* Which side of a plane through p the eye is on. */
+static int eye_side(const shadows_t *s, const solid_normal_t *n, const solid_vertex_t *p) {
+    const solid_eye_t *eye = &s->map->eye;
+    wide_t sum = {0, 0};
+    for (int k = 0; k < 3; k++) sum = wide_add(sum, wide_mul_s64(n->n[k], eye->e[k] - p->at[k] * eye->w));
+    return wide_sign(sum);
+}
+
+static const solid_vertex_t *corner_of(const shadows_t *s, int32_t f, int32_t k) {
+    const solid_t *solid = s->map->solid;
+    return &solid->vertex[solid->corner[solid->face[f].corner + k]];
+}
+
+static void find_sides(shadows_t *s) {
+    const solid_t *solid = s->map->solid;
+    for (int32_t f = 0; f < solid->nf; f++) {
+        solid_normal_t n = solid_face_normal(solid, f);
+        int side = eye_side(s, &n, corner_of(s, f, 0));
+        s->face[f] = side > 0 ? SHADOW_FRONT : side < 0 ? SHADOW_AWAY : SHADOW_EDGE_ON;
+        if (!solid_face_is_convex(solid, f, &n)) s->face[f] |= SHADOW_BENT;
+    }
+}
+
+static int32_t side_of(const shadows_t *s, int32_t f) {
+    return s->face[f] & SHADOW_SIDE;
+}
+
+/* A line from the eye along x: does it pass face f's picture along x, and is the face's plane in front of it there? */
+static bool ray_meets(const shadows_t *s, int32_t f) {
+    const solid_eye_t *e = &s->map->eye;
+    const int32_t corners = s->map->solid->face[f].n;
+    bool odd = false;
+    for (int32_t k = 0; k < corners; k++) {
+        const solid_vertex_t *p = corner_of(s, f, k), *q = corner_of(s, f, k + 1 < corners ? k + 1 : 0);
+        int64_t py = p->at[1] * e->w - e->e[1], pz = p->at[2] * e->w - e->e[2];
+        int64_t qy = q->at[1] * e->w - e->e[1], qz = q->at[2] * e->w - e->e[2];
+        if ((pz > 0) == (qz > 0)) continue;
+        int sign = wide_det_sign(py, pz, qy, qz);
+        odd ^= qz > pz ? sign > 0 : sign < 0;
+    }
+    if (!odd) return false;
+    solid_normal_t n = solid_face_normal(s->map->solid, f);
+    int side = side_of(s, f) == SHADOW_FRONT ? 1 : side_of(s, f) == SHADOW_AWAY ? -1 : 0;
+    return n.n[0] > 0 ? side < 0 : side > 0;
+}
+
+/* An eye inside of a closed object sees its faces from within: they are those of an open one. Inside, a line that goes
+ * out meets an odd number of faces; kind's upper bit counts. */
+static void find_inside(shadows_t *s) {
+    const solid_t *solid = s->map->solid;
+    for (int32_t o = 0; o < solid->no; o++) s->object[o] = solid->object[o].kind;
+    if (s->map->eye.w == 0) return;
+    for (int32_t f = 0; f < solid->nf; f++)
+        if (ray_meets(s, f)) s->object[solid->face[f].object] ^= 0x80;
+    for (int32_t o = 0; o < solid->no; o++)
+        if (s->object[o] & 0x80) s->object[o] = SOLID_OPEN;
+}
+
+bool shadows_is_candidate(const shadows_t *s, const solid_edge_t *edge) {
+    int32_t any = edge->face[0] >= 0 ? edge->face[0] : edge->face[1];
+    if (any < 0 || s->object[s->map->solid->face[any].object] == SOLID_OPEN) return true;
+    for (int k = 0; k < 2; k++)
+        if (edge->face[k] >= 0 && side_of(s, edge->face[k]) == SHADOW_FRONT) return true;
+    return false;
+}
+
+/* Does the face, by itself, hide anything? */
+static bool is_part(const shadows_t *s, int32_t f) {
+    const solid_face_t *face = &s->map->solid->face[f];
+    int32_t side = side_of(s, f);
+    if (s->object[face->object] == SOLID_OPEN) return (s->face[f] & SHADOW_BENT) || side != SHADOW_EDGE_ON;
+    return (s->face[f] & SHADOW_BENT) || side == SHADOW_FRONT;
+}
+
+static bool is_whole(const shadows_t *s, int32_t object) {
+    return s->object[object] == SOLID_CONVEX && s->map->solid->object[object].faces <= SHADOW_FACES_MOST;
+}
+
+static bool is_outline(const shadows_t *s, const solid_edge_t *e) {
+    return e->face[0] >= 0 && e->face[1] >= 0 && is_whole(s, s->map->solid->face[e->face[0]].object) &&
+           (side_of(s, e->face[0]) == SHADOW_FRONT) != (side_of(s, e->face[1]) == SHADOW_FRONT);
+}
+
+typedef struct counts {
+    int64_t parts, planes, outlines;
+} counts_t;
+
+static counts_t count(const shadows_t *s) {
+    const solid_t *solid = s->map->solid;
+    counts_t c = {0, 0, 0};
+    for (int32_t o = 0; o < solid->no; o++) c.parts += is_whole(s, o);
+    for (int32_t f = 0; f < solid->nf; f++) {
+        if (is_whole(s, solid->face[f].object)) {
+            c.planes += side_of(s, f) == SHADOW_FRONT;
+        } else if (is_part(s, f)) {
+            int32_t n = solid->face[f].n;
+            bool bent = s->face[f] & SHADOW_BENT;
+            c.parts += bent ? n - 2 : 1;
+            c.planes += bent ? n - 2 : 1;
+            c.outlines += bent ? 3 * (n - 2) : n;
+        }
+    }
+    for (int32_t e = 0; e < solid->ne; e++) c.outlines += is_outline(s, &solid->edge[e]);
+    return c;
+}
+
+/* n . p - c < 0 behind; the slack makes what is near the plane lie in front. */
+static void set_plane(shadow_plane_t *plane, const solid_normal_t *n, const solid_vertex_t *p, bool turned) {
+    static const solid_vertex_t zero;
+    solid_normal_t m = *n;
+    for (int k = 0; k < 3; k++) plane->n[k] = m.n[k] = turned ? -n->n[k] : n->n[k];
+    plane->c = wide_sub(solid_dot(&m, solid_sub(p, &zero)), solid_slack(&m));
+}
+
+/* Adds a vertex to the picture's box. */
+static void stretch(const shadows_t *s, shadow_t *part, int32_t v) {
+    const solid_place_t *p = &s->map->place[v];
+    if (!solid_map_is_good(s->map, v)) part->exact = true;
+    if (p->x < part->x0) part->x0 = p->x;
+    if (p->x > part->x1) part->x1 = p->x;
+    if (p->y < part->y0) part->y0 = p->y;
+    if (p->y > part->y1) part->y1 = p->y;
+    if (p->z < part->z) part->z = p->z;
+}
+
+static void finish_box(shadow_t *part) {
+    if (part->z != INT32_MIN) return;
+    part->x0 = part->y0 = -SOLID_PLACE_MOST;
+    part->x1 = part->y1 = SOLID_PLACE_MOST;
+}
+
+static const shadow_t EMPTY = {
+    .x0 = INT32_MAX, .y0 = INT32_MAX, .x1 = INT32_MIN, .y1 = INT32_MIN, .z = INT32_MAX, .seen = -1};
+
+/* One polygon of n corners; away: its other side is seen. */
+static void add_polygon(shadows_t *s, counts_t *at, const int32_t *corner, int32_t n, const solid_normal_t *normal,
+                        bool away) {
+    shadow_t *part = &s->list[at->parts++];
+    *part = EMPTY;
+    part->plane = (int32_t)at->planes++;
+    part->planes = 1;
+    part->outline = (int32_t)at->outlines;
+    part->outlines = n;
+    set_plane(&s->plane[part->plane], normal, &s->map->solid->vertex[corner[0]], away);
+    for (int32_t k = 0; k < n; k++) {
+        int32_t p = corner[k], q = corner[k + 1 < n ? k + 1 : 0];
+        s->outline[at->outlines++] = away ? (shadow_edge_t){q, p} : (shadow_edge_t){p, q};
+        stretch(s, part, p);
+    }
+    finish_box(part);
+}
+
+typedef struct filling {
+    shadows_t *s;
+    counts_t at;
+    bool open;
+} filling_t;
+
+static void add_triangle(void *ctx, const int32_t v[3]) {
+    filling_t *fill = ctx;
+    const solid_vertex_t *vertex = fill->s->map->solid->vertex;
+    solid_normal_t n = solid_cross(solid_sub(&vertex[v[1]], &vertex[v[0]]), solid_sub(&vertex[v[2]], &vertex[v[0]]));
+    int side = eye_side(fill->s, &n, &vertex[v[0]]);
+    if (side > 0 || (side < 0 && fill->open)) add_polygon(fill->s, &fill->at, v, 3, &n, side < 0);
+}
+
+/* Faces one by one, cut into triangles where they must be. spare: what triangulate() needs. */
+static int fill_faces(filling_t *fill, void *spare, size_t bytes) {
+    const shadows_t *s = fill->s;
+    const solid_t *solid = s->map->solid;
+    for (int32_t f = 0; f < solid->nf; f++) {
+        const solid_face_t *face = &solid->face[f];
+        if (is_whole(s, face->object) || !is_part(s, f)) continue;
+        solid_normal_t n = solid_face_normal(solid, f);
+        if (s->face[f] & SHADOW_BENT) {
+            fill->open = s->object[face->object] == SOLID_OPEN;
+            int err = triangulate(solid, f, &n, spare, bytes, add_triangle, fill);
+            if (err) return err;
+        } else {
+            add_polygon(fill->s, &fill->at, solid->corner + face->corner, face->n, &n, side_of(s, f) == SHADOW_AWAY);
+        }
+    }
+    return 0;
+}
+
+/* Convex objects: part[o] is the number of object o's. */
+static void fill_objects(shadows_t *s, counts_t *at, int32_t *part) {
+    const solid_t *solid = s->map->solid;
+    for (int32_t o = 0; o < solid->no; o++) {
+        if (!is_whole(s, o)) continue;
+        part[o] = (int32_t)at->parts;
+        s->list[at->parts++] = EMPTY;
+    }
+    for (int32_t f = 0; f < solid->nf; f++) {
+        if (!is_whole(s, solid->face[f].object)) continue;
+        shadow_t *of = &s->list[part[solid->face[f].object]];
+        of->planes += side_of(s, f) == SHADOW_FRONT;
+        for (int32_t k = 0; k < solid->face[f].n; k++) stretch(s, of, solid->corner[solid->face[f].corner + k]);
+    }
+    for (int32_t e = 0; e < solid->ne; e++)
+        if (is_outline(s, &solid->edge[e])) s->list[part[solid->face[solid->edge[e].face[0]].object]].outlines++;
+    for (int32_t k = 0; k < at->parts; k++) {
+        shadow_t *of = &s->list[k];
+        finish_box(of);
+        of->plane = (int32_t)at->planes;
+        of->outline = (int32_t)at->outlines;
+        at->planes += of->planes;
+        at->outlines += of->outlines;
+        of->planes = of->outlines = 0;
+    }
+    for (int32_t f = 0; f < solid->nf; f++) {
+        if (!is_whole(s, solid->face[f].object) || side_of(s, f) != SHADOW_FRONT) continue;
+        shadow_t *of = &s->list[part[solid->face[f].object]];
+        solid_normal_t n = solid_face_normal(solid, f);
+        set_plane(&s->plane[of->plane + of->planes++], &n, corner_of(s, f, 0), false);
+    }
+    for (int32_t k = 0; k < solid->ne; k++) {
+        const solid_edge_t *e = &solid->edge[k];
+        if (!is_outline(s, e)) continue;
+        shadow_t *of = &s->list[part[solid->face[e->face[0]].object]];
+        bool up = side_of(s, e->face[0]) == SHADOW_FRONT;
+        s->outline[of->outline + of->outlines++] =
+            up ? (shadow_edge_t){e->v[0], e->v[1]} : (shadow_edge_t){e->v[1], e->v[0]};
+    }
+}
+
+static void *take(uint8_t **at, const uint8_t *end, int64_t n, size_t size) {
+    size_t bytes = ((size_t)n * size + 7) & ~(size_t)7;
+    if (!*at || bytes > (size_t)(end - *at)) {
+        *at = NULL;
+        return NULL;
+    }
+    void *p = *at;
+    *at += bytes;
+    return p;
+}
+
+int shadows_build(shadows_t *s, const solid_map_t *map, void *mem, size_t bytes) {
+    const solid_t *solid = map->solid;
+    *s = (shadows_t){.map = map};
+    uint8_t *at = mem, *end = at + bytes;
+    s->face = take(&at, end, solid->nf, 1);
+    s->object = take(&at, end, solid->no, 1);
+    if (!at) return ERR_FULL;
+    find_sides(s);
+    find_inside(s);
+    counts_t c = count(s);
+    s->list = take(&at, end, c.parts, sizeof *s->list);
+    s->plane = take(&at, end, c.planes, sizeof *s->plane);
+    s->outline = take(&at, end, c.outlines, sizeof *s->outline);
+    uint8_t *spare = at; /* used and given back */
+    int32_t *part = take(&at, end, solid->no, sizeof *part);
+    if (!at) return ERR_FULL;
+    filling_t fill = {s, {0, 0, 0}, false};
+    fill_objects(s, &fill.at, part);
+    int err = fill_faces(&fill, spare, (size_t)(end - spare));
+    s->n = (int32_t)fill.at.parts;
+    s->bytes = (size_t)(spare - (uint8_t *)mem);
+    return err;
+}
