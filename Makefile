@@ -40,7 +40,8 @@ RIDGELINE := $(BUILDDIR)/host/ridgeline
 # Asked once, and only when something that needs it is built: the libraries may be installed by this very run.
 HOST_CFLAGS = $(eval HOST_CFLAGS := $(or $(shell pkg-config --cflags cairo libedit 2>/dev/null),\
     $(error cairo or libedit is missing: run `make install-deps`)))$(HOST_CFLAGS)
-HOST_LIBS   = $(eval HOST_LIBS := $(shell pkg-config --libs cairo libedit 2>/dev/null) -lm)$(HOST_LIBS)
+# Their headers only: host/library.h loads them when they are wanted.
+HOST_LIBS   = -ldl -lm
 TEST_LIBS   = -lcmocka -lmpfr -lgmp -lm
 
 .DEFAULT_GOAL := all

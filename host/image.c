@@ -5,8 +5,10 @@
 #include <cairo-pdf.h>
 #include <cairo.h>
 #include <math.h>
+#include <stdio.h>
 
 #include "error.h"
+#include "host/library.h"
 #include "host/progress.h"
 
 #define LINE_WIDTH_MM 0.3
@@ -15,18 +17,36 @@
 
 enum { CHUNK = 256 };
 
+/* clang-format off */
+#define CAIRO(F) \
+    F(cairo_create) F(cairo_destroy) F(cairo_image_surface_create) F(cairo_line_to) F(cairo_move_to) F(cairo_paint) \
+    F(cairo_pdf_surface_create) F(cairo_pdf_surface_set_metadata) F(cairo_scale) F(cairo_set_line_cap) \
+    F(cairo_set_line_join) F(cairo_set_line_width) F(cairo_set_operator) F(cairo_set_source_rgb) F(cairo_show_page) \
+    F(cairo_stroke) F(cairo_surface_destroy) F(cairo_surface_finish) F(cairo_surface_status) \
+    F(cairo_surface_write_to_png) F(cairo_translate)
+/* clang-format on */
+static struct { CAIRO(LIBRARY_POINTER) } lib;
+
+static bool is_there(void) {
+    static const char *const NAMES[] = {CAIRO(LIBRARY_NAME)};
+    static bool loaded;
+    if (!loaded) loaded = library_load("libcairo.so.2", NAMES, sizeof NAMES / sizeof *NAMES, &lib);
+    if (!loaded) fprintf(stderr, "ridgeline: .png and .pdf need the Cairo library: %s\n", library_error());
+    return loaded;
+}
+
 /* ink: how a line changes what is there. */
 static void paint(cairo_t *c, const drawing_t *d, double scale, cairo_operator_t ink) {
     double height_mm = d->height_um / 1000.0;
-    cairo_set_source_rgb(c, 1, 1, 1);
-    cairo_paint(c);
-    cairo_set_operator(c, ink);
-    cairo_scale(c, scale, -scale);
-    cairo_translate(c, 0, -height_mm);
-    cairo_set_source_rgb(c, 0, 0, 0);
-    cairo_set_line_width(c, LINE_WIDTH_MM);
-    cairo_set_line_cap(c, CAIRO_LINE_CAP_ROUND);
-    cairo_set_line_join(c, CAIRO_LINE_JOIN_ROUND);
+    lib.cairo_set_source_rgb(c, 1, 1, 1);
+    lib.cairo_paint(c);
+    lib.cairo_set_operator(c, ink);
+    lib.cairo_scale(c, scale, -scale);
+    lib.cairo_translate(c, 0, -height_mm);
+    lib.cairo_set_source_rgb(c, 0, 0, 0);
+    lib.cairo_set_line_width(c, LINE_WIDTH_MM);
+    lib.cairo_set_line_cap(c, CAIRO_LINE_CAP_ROUND);
+    lib.cairo_set_line_join(c, CAIRO_LINE_JOIN_ROUND);
     for (size_t s = 0; s < d->strokes; s++) {
         size_t n;
         const page_point_t *p = drawing_stroke(d, s, &n);
@@ -34,47 +54,49 @@ static void paint(cairo_t *c, const drawing_t *d, double scale, cairo_operator_t
         for (size_t i = 0; i < n; i++) {
             double x = (double)p[i].x_lat / LAT_PER_MM, y = (double)p[i].y_lat / LAT_PER_MM;
             if (i == 0) {
-                cairo_move_to(c, x, y);
+                lib.cairo_move_to(c, x, y);
                 continue;
             }
-            cairo_line_to(c, x, y);
+            lib.cairo_line_to(c, x, y);
             if (i % CHUNK == 0 && i + 1 < n) {
-                cairo_stroke(c);
-                cairo_move_to(c, x, y);
+                lib.cairo_stroke(c);
+                lib.cairo_move_to(c, x, y);
             }
         }
-        cairo_stroke(c);
+        lib.cairo_stroke(c);
     }
 }
 
 /* The bitmap holds one channel, which a PNG file shows as grey: paper is opaque, so white, and ink takes away. A
  * quarter of the memory, half the file and a third of the time of colours. */
 int image_write_png(const drawing_t *d, const char *path) {
+    if (!is_there()) return ERR_UNSUPPORTED;
     int width = (int)lround(d->width_um / 1000.0 * DOTS_PER_MM);
     int height = (int)lround(d->height_um / 1000.0 * DOTS_PER_MM);
-    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, width, height);
-    if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS) {
-        cairo_surface_destroy(surface);
+    cairo_surface_t *surface = lib.cairo_image_surface_create(CAIRO_FORMAT_A8, width, height);
+    if (lib.cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS) {
+        lib.cairo_surface_destroy(surface);
         return ERR_VALUE;
     }
-    cairo_t *c = cairo_create(surface);
+    cairo_t *c = lib.cairo_create(surface);
     paint(c, d, DOTS_PER_MM, CAIRO_OPERATOR_DEST_OUT);
-    cairo_destroy(c);
-    cairo_status_t status = cairo_surface_write_to_png(surface, path);
-    cairo_surface_destroy(surface);
+    lib.cairo_destroy(c);
+    cairo_status_t status = lib.cairo_surface_write_to_png(surface, path);
+    lib.cairo_surface_destroy(surface);
     return status == CAIRO_STATUS_SUCCESS ? 0 : ERR_FILE;
 }
 
 int image_write_pdf(const drawing_t *d, const char *path) {
+    if (!is_there()) return ERR_UNSUPPORTED;
     cairo_surface_t *surface =
-        cairo_pdf_surface_create(path, d->width_um / 1000.0 * POINTS_PER_MM, d->height_um / 1000.0 * POINTS_PER_MM);
-    if (d->title[0]) cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, d->title);
-    cairo_t *c = cairo_create(surface);
+        lib.cairo_pdf_surface_create(path, d->width_um / 1000.0 * POINTS_PER_MM, d->height_um / 1000.0 * POINTS_PER_MM);
+    if (d->title[0]) lib.cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, d->title);
+    cairo_t *c = lib.cairo_create(surface);
     paint(c, d, POINTS_PER_MM, CAIRO_OPERATOR_OVER);
-    cairo_show_page(c);
-    cairo_destroy(c);
-    cairo_surface_finish(surface);
-    cairo_status_t status = cairo_surface_status(surface);
-    cairo_surface_destroy(surface);
+    lib.cairo_show_page(c);
+    lib.cairo_destroy(c);
+    lib.cairo_surface_finish(surface);
+    cairo_status_t status = lib.cairo_surface_status(surface);
+    lib.cairo_surface_destroy(surface);
     return status == CAIRO_STATUS_SUCCESS ? 0 : ERR_FILE;
 }

@@ -7,7 +7,8 @@
 
 #include "host/drawing.h"
 
-/* 0, ERR_FILE, or ERR_VALUE for a paper too large for a bitmap. */
+/* 0, ERR_FILE, ERR_VALUE for a paper too large for a bitmap, or ERR_UNSUPPORTED where Cairo is not installed, which is
+ * said. */
 int image_write_png(const drawing_t *d, const char *path);
 int image_write_pdf(const drawing_t *d, const char *path);
 

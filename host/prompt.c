@@ -9,7 +9,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host/library.h"
 #include "host/script.h"
+
+/* clang-format off */
+#define EDIT(F) \
+    F(using_history) F(stifle_history) F(read_history) F(write_history) F(add_history) F(readline)
+/* clang-format on */
+static struct { EDIT(LIBRARY_POINTER) } edit;
+static bool has_edit;
 
 static bool history_path(char *path, size_t room) {
     const char *home = getenv("HOME");
@@ -21,7 +29,7 @@ static bool history_path(char *path, size_t room) {
 /* Blank lines and repetitions are not worth remembering; rows of inline data neither. */
 static void remember(const char *line, char *last, size_t room) {
     if (!line[strspn(line, " \t")] || script_state() == SESSION_DATA || strcmp(line, last) == 0) return;
-    add_history(line);
+    if (has_edit) edit.add_history(line);
     snprintf(last, room, "%s", line);
 }
 
@@ -36,6 +44,19 @@ static void on_interrupt(int sig) {
     raise(sig);
 }
 
+/* Without libedit: a line as the terminal itself lets it be typed. */
+static char *plain_line(const char *prompt) {
+    char *line = NULL;
+    size_t room = 0;
+    fputs(prompt, stdout);
+    fflush(stdout);
+    ssize_t n = getline(&line, &room, stdin);
+    if (n > 0 && line[n - 1] == '\n') line[n - 1] = 0;
+    if (n >= 0) return line;
+    free(line);
+    return NULL;
+}
+
 /* The next line, to be freed; NULL at the end of the input. */
 static char *read_line(void) {
     if (sigsetjmp(to_prompt, 1)) {
@@ -43,17 +64,22 @@ static char *read_line(void) {
         script_cancel();
     }
     is_reading = 1;
-    char *line = readline(script_state() == SESSION_READY ? "ridgeline> " : "> ");
+    const char *prompt = script_state() == SESSION_READY ? "ridgeline> " : "> ";
+    char *line = has_edit ? edit.readline(prompt) : plain_line(prompt);
     is_reading = 0;
     return line;
 }
 
 void prompt_run(void) {
     char path[PATH_MAX], last[1024] = "";
-    bool keep = history_path(path, sizeof path);
-    using_history();
-    stifle_history(PROMPT_HISTORY);
-    if (keep) read_history(path);
+    static const char *const NAMES[] = {EDIT(LIBRARY_NAME)};
+    has_edit = library_load("libedit.so.2", NAMES, sizeof NAMES / sizeof *NAMES, &edit);
+    bool keep = has_edit && history_path(path, sizeof path);
+    if (has_edit) {
+        edit.using_history();
+        edit.stifle_history(PROMPT_HISTORY);
+    }
+    if (keep) edit.read_history(path);
     signal(SIGINT, on_interrupt);
     puts("Ridgeline: type `splot exp(-x**2-y**2)`, `help` or `quit`.");
     script_source(NULL);
@@ -67,6 +93,6 @@ void prompt_run(void) {
         script_line(line);
         free(line);
         /* Every time, so that nothing is lost when the window is closed. */
-        if (keep) write_history(path);
+        if (keep) edit.write_history(path);
     }
 }

@@ -9,7 +9,7 @@ REPORT_WRAP := $(addprefix -Wl$(comma)--wrap=,chart_init chart_row horizons_init
 $(BUILDDIR)/report/%: $(BUILDDIR)/obj/tests/report/%.o $(REPORT_LIB) $(BUILDDIR)/liboracle.a $(BUILDDIR)/libhost.a $(BUILDDIR)/libcore.a
 	@mkdir -p $(@D)
 	$(call say,LD,$@)
-	$(Q)$(CC) $(LDFLAGS) $(REPORT_WRAP) $^ $(HOST_LIBS) -lgmp -lm -o $@
+	$(Q)$(CC) $(LDFLAGS) $(REPORT_WRAP) $^ $(HOST_LIBS) $(shell pkg-config --libs cairo) -lgmp -lm -o $@
 
 report: host $(REPORTS) ## write docs/report: speed against error, hard cases, the papers' experiments
 	$(Q)sh tests/report/report.sh $(BUILDDIR) $(REPORT_DIR)
