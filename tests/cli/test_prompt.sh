@@ -63,7 +63,7 @@ END
 
 the_end_of_input_ends_it() {
     says 'print 40+2' >dialogue
-    printf 'wait \\n42\nwait ridgeline> \ntype \\004\n' >>dialogue
+    printf 'wait \\n42\nwait ridgeline> \nkeys\ntype \\004\n' >>dialogue
     expect_status 0 at_terminal "$RIDGELINE" <dialogue >out
 }
 

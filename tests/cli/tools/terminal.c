@@ -2,9 +2,11 @@
  *
  *     terminal PROGRAM ARGUMENT... <DIALOGUE >TRANSCRIPT
  *
- * A line of the dialogue is `wait TEXT` (until that has been printed, after what the last `wait` found) or `type TEXT`.
- * In both, \n is the end of a line, \e escape and \003 a character by its octal number. At the end of the dialogue it
- * waits for the program's end, and ends with its status (128 and the signal's number when it was killed).
+ * A line of the dialogue is `wait TEXT` (until that has been printed, after what the last `wait` found), `type TEXT`,
+ * or `keys`: wait until the program reads single keys, which a line editor does only some time after its prompt (Ctrl-D
+ * means something else before). In texts \n is the end of a line and \003 a character by its octal number. At the end
+ * of the dialogue it waits for the program's end, and ends with its status (128 and the signal's number when it was
+ * killed).
  *
  * Nothing is timed, so a loaded machine gives the same transcript. A program that says no more while something is
  * waited for hangs; after HANGS_S seconds of silence that is said, with status 3. If it ends instead: status 4. No
@@ -28,10 +30,10 @@ static struct {
     int fd;
 } t;
 
-/* More of what is printed; false at the end. */
-static int more(void) {
+/* More of what is printed: 1, 0 at its end, or -1 when nothing comes for so long. */
+static int more(int ms) {
     struct pollfd p = {.fd = t.fd, .events = POLLIN};
-    if (poll(&p, 1, HANGS_S * 1000) == 0) return -1;
+    if (poll(&p, 1, ms) == 0) return -1;
     ssize_t n = read(t.fd, t.text + t.printed, sizeof t.text - 1 - t.printed);
     if (n <= 0) return 0;
     fwrite(t.text + t.printed, 1, (size_t)n, stdout);
@@ -45,8 +47,6 @@ static size_t unescape(const char *from, char *to) {
         char c = *from++;
         if (c == '\\' && *from == 'n')
             c = '\n', from++;
-        else if (c == '\\' && *from == 'e')
-            c = '\033', from++;
         else if (c == '\\') {
             char octal[4] = {0};
             size_t k = 0;
@@ -66,12 +66,22 @@ static int wait_for(const char *text, size_t length) {
             t.seen = (size_t)(found - t.text) + length;
             return 0;
         }
-        int n = more();
+        int n = more(HANGS_S * 1000);
         if (n > 0) continue;
         fflush(stdout);
         fprintf(stderr, "terminal: %s instead of printing: %s\n", n ? "silent" : "it ended", text);
         return n ? 3 : 4;
     }
+}
+
+/* The mode of the terminal can only be asked for, not waited for. */
+static int wait_for_keys(void) {
+    struct termios mode;
+    for (int tries = 0; tries < HANGS_S * 1000; tries++) {
+        if (tcgetattr(t.fd, &mode) == 0 && !(mode.c_lflag & ICANON)) return 0;
+        if (more(1) == 0) return 4;
+    }
+    return 3;
 }
 
 static int start(char **argv) {
@@ -109,6 +119,8 @@ int main(int argc, char **argv) {
         size_t length = strlen(line) > 5 ? unescape(line + 5, text) : 0;
         if (strncmp(line, "wait ", 5) == 0)
             status = wait_for(text, length);
+        else if (strcmp(line, "keys") == 0)
+            status = wait_for_keys();
         else if (strncmp(line, "type ", 5) == 0)
             status = write(t.fd, text, length) == (ssize_t)length ? 0 : 2;
         else
@@ -116,7 +128,7 @@ int main(int argc, char **argv) {
         if (status == 2) fprintf(stderr, "terminal: cannot do: %s\n", line);
     }
     int n = 1;
-    while (status == 0 && (n = more()) > 0) {
+    while (status == 0 && (n = more(HANGS_S * 1000)) > 0) {
     }
     if (n < 0) {
         fprintf(stderr, "terminal: silent, but it does not end\n");
