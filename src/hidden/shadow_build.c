@@ -54,16 +54,21 @@ static bool ray_meets(const shadows_t *s, int32_t f) {
     return n.n[0] > 0 ? side < 0 : side > 0;
 }
 
+enum { ODD = 0x80, SEEN = 0x40 };
+
 /* An eye inside of a closed object sees its faces from within: they are those of an open one. Inside, a line that goes
- * out meets an odd number of faces; kind's upper bit counts. */
+ * out meets an odd number of faces; and an object no face of which looks at the eye has it inside or in its surface. */
 static void find_inside(shadows_t *s) {
     const solid_t *solid = s->map->solid;
     for (int32_t o = 0; o < solid->no; o++) s->object[o] = solid->object[o].kind;
     if (s->map->eye.w == 0) return;
-    for (int32_t f = 0; f < solid->nf; f++)
-        if (ray_meets(s, f)) s->object[solid->face[f].object] ^= 0x80;
+    for (int32_t f = 0; f < solid->nf; f++) {
+        uint8_t *o = &s->object[solid->face[f].object];
+        if (ray_meets(s, f)) *o ^= ODD;
+        if (side_of(s, f) == SHADOW_FRONT) *o |= SEEN;
+    }
     for (int32_t o = 0; o < solid->no; o++)
-        if (s->object[o] & 0x80) s->object[o] = SOLID_OPEN;
+        s->object[o] = (s->object[o] & (ODD | SEEN)) == SEEN ? solid->object[o].kind : SOLID_OPEN;
 }
 
 bool shadows_is_candidate(const shadows_t *s, const solid_edge_t *edge) {

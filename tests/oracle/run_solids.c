@@ -1,0 +1,131 @@
+/* run_solids.c - a scene of solids through the program's stages, and before the judge. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "error.h"
+#include "hidden/convex.h"
+#include "tests/oracle/run_cases.h"
+#include "tests/oracle/solid_scenes.h"
+
+static double value(num_t a) {
+    return ldexp((double)a.m, a.e);
+}
+
+static num_t num_of(double v) {
+    int e;
+    double f = frexp(v, &e);
+    return num_from_fixed((int64_t)ldexp(f, 53), 53 - e);
+}
+
+/* What the kernel draws, as pieces of the reference's edges. */
+typedef struct ink {
+    const solid_ref_t *ref;
+    const solid_t *solid;
+    judge_piece_t *piece;
+    size_t n;
+    int lost; /* pieces on edges that the reference does not know */
+} ink_t;
+
+static void world(const solid_t *s, int32_t v, double out[3]) {
+    for (int k = 0; k < 3; k++) out[k] = value(s->origin[k]) + ldexp(s->vertex[v].at[k], -s->shift[k]);
+}
+
+static int take(void *ctx, const ink_piece_t *p) {
+    ink_t *i = ctx;
+    double a[3], b[3], from = (double)p->from_q30 / (double)INK_ONE, to = (double)p->to_q30 / (double)INK_ONE;
+    bool turned;
+    world(i->solid, i->solid->edge[p->line].v[0], a);
+    world(i->solid, i->solid->edge[p->line].v[1], b);
+    int edge = solid_ref_find(i->ref, a, b, &turned);
+    if (edge < 0) {
+        i->lost++;
+        return 0;
+    }
+    i->piece = realloc(i->piece, (i->n + 1) * sizeof *i->piece);
+    i->piece[i->n++] = (judge_piece_t){REF_ROW, edge, turned ? 1 - to : from, turned ? 1 - from : to};
+    return 0;
+}
+
+static void make_mesh(const solid_ref_t *r, mesh_t *m) {
+    packed_t(*vertex)[3] = malloc((size_t)r->nv * sizeof *vertex);
+    int32_t words = r->nc + r->nf + 3 * r->nl, *top = (int32_t *)malloc((size_t)words * sizeof *top) + words, *w = top;
+    for (int v = 0; v < r->nv; v++) {
+        vertex[v][0] = packed_from_num(num_of(r->vertex[v].x));
+        vertex[v][1] = packed_from_num(num_of(r->vertex[v].y));
+        vertex[v][2] = packed_from_num(num_of(r->vertex[v].z));
+    }
+    for (int f = 0; f < r->nf; f++) {
+        *--w = (r->first[f + 1] - r->first[f]) << 2 | MESH_FACE;
+        for (int k = r->first[f]; k < r->first[f + 1]; k++) *--w = r->corner[k];
+    }
+    for (int k = 0; k < r->nl; k++) {
+        *--w = 2 << 2 | MESH_LINE;
+        *--w = r->line[k][0];
+        *--w = r->line[k][1];
+    }
+    *m = (mesh_t){.nv = r->nv, .words = words, .faces = r->nf, .corners = r->nc, .segments = r->nl};
+    m->vertex = (const packed_t(*)[3])vertex;
+    m->top = top;
+}
+
+static void page_of(const camera_t *cam, page_view_t *v, exact_eye_t *eye) {
+    for (int r = 0; r < 3; r++)
+        for (int k = 0; k < 4; k++) v->m[r][k] = value(cam->m[r][k]) / (r < 2 ? LAT_PER_MM : 1);
+    *eye = (exact_eye_t){value(cam->eye[0]), value(cam->eye[1]), value(cam->eye[2]), cam->perspective};
+    v->eye = *eye;
+    v->x0 = (double)cam->window.x0_lat / LAT_PER_MM;
+    v->y0 = (double)cam->window.y0_lat / LAT_PER_MM;
+    v->x1 = (double)cam->window.x1_lat / LAT_PER_MM;
+    v->y1 = (double)cam->window.y1_lat / LAT_PER_MM;
+}
+
+static int draw(const solid_scene_t *s, const mesh_t *m, solid_ref_t *ref, page_view_t *view, ink_t *ink) {
+    solid_t solid;
+    solid_map_t map;
+    camera_t cam;
+    hidden_stats_t stats;
+    size_t bytes = solid_bytes(&m, 1), more = convex_bytes(m->faces, m->corners, m->segments) + 65536;
+    void *mem = malloc(bytes), *place = malloc(SOLID_MAP_BYTES(m->nv)), *kernel = malloc(more);
+    int err = solid_build(&solid, &m, 1, mem, bytes);
+    view_box_t box = {.solid = true};
+    for (int k = 0; k < 3; k++) {
+        box.lo[k] = solid.lo[k];
+        box.hi[k] = solid.hi[k];
+    }
+    if (!err) err = camera_setup(&cam, &s->set, &box);
+    if (!err) err = solid_map_setup(&map, &solid, &cam, place);
+    if (!err) {
+        page_of(&cam, view, &ref->eye);
+        ink->ref = ref;
+        ink->solid = &solid;
+        const ink_sink_t sink = {ink, take};
+        const hidden_job_t job = {.mem = kernel, .bytes = more, .sink = &sink};
+        err = convex_draw(&map, NULL, &job, &stats);
+    }
+    free(mem);
+    free(place);
+    free(kernel);
+    return err;
+}
+
+bool solid_scene_judge(const solid_scene_t *s, judge_report_t *out) {
+    solid_ref_t ref = s->ref; /* shares the memory; the eye is its own */
+    page_view_t view;
+    mesh_t mesh;
+    ink_t ink = {0};
+    *out = (judge_report_t){0};
+    make_mesh(&ref, &mesh);
+    int err = draw(s, &mesh, &ref, &view, &ink);
+    free((void *)(uintptr_t)mesh.vertex);
+    free((void *)(uintptr_t)(mesh.top - mesh.words));
+    bool good = err == ERR_VALUE || err == ERR_EMPTY; /* all behind the eye; nothing with a length */
+    if (!err && solid_ref_eye_touches(&ref)) {
+        good = true;
+    } else if (!err) {
+        judge_subject_t what = judge_solid(&ref);
+        good = judge_pieces(&what, &view, ink.piece, ink.n, out) == 0 && ink.lost == 0 && cases_good(out);
+    }
+    free(ink.piece);
+    return good;
+}
