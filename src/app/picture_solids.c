@@ -4,6 +4,7 @@
 #include "error.h"
 #include "hidden/convex.h"
 #include "hidden/wires.h"
+#include "view/dash.h"
 
 static void hide_tick(void *ctx, int32_t done, int32_t of) {
     picture_tell(ctx, PICTURE_HIDE, done, of);
@@ -60,11 +61,14 @@ int picture_solids(picture_t *p, const pen_sink_t *pen) {
     void *kernel = set->hidden == HIDDEN_NONE ? NULL : picture_kernel_memory(p, &kernel_bytes);
     err = picture_open(p, pen, 1, 4 * (int64_t)p->solid.ne);
     if (err) return err;
+    dash_t dash = {p->lines, p->cut.next};
+    cut_t cut = {p->lines, dash_sink(&dash)};
+    const ink_sink_t hidden = cut_sink(&cut);
     const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p};
     if (set->hidden == HIDDEN_NONE)
         err = wires_draw(&p->solid_map, &job, &p->stats.hidden);
     else
-        err = convex_draw(&p->solid_map, NULL, &job, &p->stats.hidden);
+        err = convex_draw(&p->solid_map, set->dashed ? &hidden : NULL, &job, &p->stats.hidden);
     p->stats.facets = p->solid.nf;
     p->stats.kernel_bytes = p->stats.hidden.bytes;
     return err ? err : picture_close(p);

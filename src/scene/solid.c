@@ -55,23 +55,35 @@ size_t solid_bytes(const mesh_t *const *mesh, int32_t n) {
            (size_t)t.vertices_most * 4 + slots * 4 + 16 * 8;
 }
 
+/* Packed numbers as integers in the same order: the bits of a negative one count down. */
+static uint64_t key_of(packed_t p) {
+    return p >> 63 ? ~p : p | (uint64_t)1 << 63;
+}
+static num_t number_of(uint64_t key) {
+    return packed_num(key >> 63 ? key & ~((uint64_t)1 << 63) : ~key);
+}
+
 /* The box of all vertices that something refers to. */
 static bool measure(solid_t *s, const mesh_t *const *mesh, int32_t n) {
-    bool any = false;
+    uint64_t lo[3] = {UINT64_MAX, UINT64_MAX, UINT64_MAX}, hi[3] = {0, 0, 0};
     for (int32_t k = 0; k < n; k++) {
         mesh_walk_t w = mesh_walk(mesh[k]);
         while (mesh_next(&w)) {
             for (int32_t c = 0; c < w.count; c++) {
+                const packed_t *v = mesh[k]->vertex[mesh_at(&w, c)];
                 for (int axis = 0; axis < 3; axis++) {
-                    num_t a = packed_num(mesh[k]->vertex[mesh_at(&w, c)][axis]);
-                    if (!any || num_cmp(a, s->lo[axis]) < 0) s->lo[axis] = a;
-                    if (!any || num_cmp(a, s->hi[axis]) > 0) s->hi[axis] = a;
+                    uint64_t key = key_of(v[axis]);
+                    if (key < lo[axis]) lo[axis] = key;
+                    if (key > hi[axis]) hi[axis] = key;
                 }
-                any = true;
             }
         }
     }
-    return any;
+    for (int axis = 0; axis < 3 && lo[0] <= hi[0]; axis++) {
+        s->lo[axis] = number_of(lo[axis]);
+        s->hi[axis] = number_of(hi[axis]);
+    }
+    return lo[0] <= hi[0];
 }
 
 /* Half of the box becomes at most 2^(SOLID_BITS - 1), and more than half of that. A flat box takes the scale of the
