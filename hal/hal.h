@@ -72,7 +72,7 @@ void hal_watchdog_start(uint32_t ms);
 void hal_watchdog_feed(void);
 
 /* Upward, both in interrupt context and the only functions a port calls. stepgen_isr: the armed deadline. The body
- * lives in src/motion. */
+ * lives in src/motion. console_input_isr may interrupt it, but it not that. */
 void stepgen_isr(void);
 /* A limit or the emergency stop has become active; inputs as of hal_inputs(). The body lives in src/app. */
 void console_input_isr(uint32_t inputs);

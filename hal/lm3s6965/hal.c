@@ -165,7 +165,6 @@ void hal_start(void) {
 
     pendsv_priority(1);
     systick_priority(3);
-    irq_priority(PORT_IRQ_SWITCHES, 1);
     irq_priority(PORT_IRQ_UART, 2);
     irq_enable(PORT_IRQ_TIMER);
     irq_enable(PORT_IRQ_UART);

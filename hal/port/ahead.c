@@ -22,13 +22,21 @@ static struct {
     volatile uint32_t head; /* written by the planner */
     volatile uint32_t tail; /* written by the writer */
     bool armed;
-    bool planning;         /* stepgen_isr is running */
-    uint32_t plan;         /* the armed deadline, in planned time */
-    uint32_t skew;         /* real time is planned time + skew */
-    uint32_t newest;       /* when the newest edge leaves */
-    uint32_t put_off[2];   /* X, Y: how much later than planned its pulse begins, and so ends */
-    uint32_t late, latest; /* edges that left late; by how much at most */
+    volatile bool planning; /* stepgen_isr is running */
+    volatile bool dropped;  /* what it is planning came to nothing: it was interrupted by a halt */
+    uint32_t plan;          /* the armed deadline, in planned time */
+    uint32_t skew;          /* real time is planned time + skew */
+    uint32_t newest;        /* when the newest edge leaves */
+    uint32_t put_off[2];    /* X, Y: how much later than planned its pulse begins, and so ends */
+    uint32_t late, latest;  /* edges that left late; by how much at most */
 } a;
+
+#define PENDSV 14
+
+/* The planner itself, and not the switches' interrupt above it. */
+static inline bool in_planner(void) {
+    return a.planning && exception() == PENDSV;
+}
 
 static inline bool full(void) {
     return a.head - a.tail >= AHEAD_EDGES;
@@ -46,7 +54,7 @@ static uint32_t locked_now(void) {
 }
 
 uint32_t hal_now(void) {
-    return a.planning ? a.plan : locked_now();
+    return in_planner() ? a.plan : locked_now();
 }
 
 /* The alarm for the next edge, or for the planner if that is earlier. Interrupts off, or in the writer. */
@@ -66,12 +74,12 @@ static void set_alarm(uint32_t now) {
 }
 
 /* When an edge leaves is settled here: its tick, but AHEAD_GAP after the one before it, and a pulse keeps its width. */
-void hal_pins_write(uint32_t mask, uint32_t value) {
-    if (!a.planning) {
-        port_write(port_word(mask, value));
+static __attribute__((noinline)) void plan_write(uint32_t mask, uint32_t value) {
+    uint32_t state = irq_lock();
+    if (a.dropped) {
+        irq_unlock(state);
         return;
     }
-    uint32_t state = irq_lock();
     uint32_t tick = a.plan + a.skew, at = tick;
     const uint32_t falls = mask & ~value, rises = mask & value;
     if (falls & HAL_X_STEP) at = later(at, tick + a.put_off[0]);
@@ -87,13 +95,22 @@ void hal_pins_write(uint32_t mask, uint32_t value) {
     irq_unlock(state);
 }
 
+/* The short way for those who stop the machine. */
+void hal_pins_write(uint32_t mask, uint32_t value) {
+    if (in_planner())
+        plan_write(mask, value);
+    else
+        port_write(port_word(mask, value));
+}
+
 void hal_timer_arm(uint32_t at) {
-    if (a.planning) {
+    uint32_t state = irq_lock();
+    if (in_planner()) {
         a.plan = at;
-        a.armed = true;
+        a.armed = !a.dropped;
+        irq_unlock(state);
         return;
     }
-    uint32_t state = irq_lock();
     if (a.head != a.tail && hal_before(at, a.newest)) at = a.newest;
     a.skew = 0;
     a.plan = at;
@@ -105,6 +122,7 @@ void hal_timer_arm(uint32_t at) {
 void hal_timer_cancel(void) {
     uint32_t state = irq_lock();
     a.armed = false;
+    a.dropped = a.planning;
     a.tail = a.head;
     irq_unlock(state);
 }
@@ -175,10 +193,11 @@ void ahead_plan_isr(void) {
             now = locked_now();
             if ((int32_t)(a.plan + a.skew - now) >= AHEAD_WINDOW) break;
         }
-        a.planning = true;
         a.armed = false;
+        a.planning = true;
         stepgen_isr();
         a.planning = false;
+        a.dropped = false;
     }
     uint32_t state = irq_lock();
     set_alarm(port_now());

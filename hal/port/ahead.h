@@ -11,6 +11,9 @@
  * than AHEAD_GAP are set apart by it, which is the only difference. When the chip cannot keep up, the whole plan slips
  * by what it is late, and no pulse gets shorter than planned.
  *
+ * The switches' interrupt may have the timer's priority: console_input_isr then interrupts the planner, and what was
+ * being planned is dropped.
+ *
  * The port defines in its port.h, as inline functions or macros, for use with interrupts off or in the timer's:
  *     uint32_t port_now(void)              the clock, 16 MHz
  *     uint32_t port_raw(uint32_t at)       a tick near the last port_now, as whatever the port compares fastest

@@ -37,6 +37,13 @@ static inline void pendsv_pend(void) {
     ICSR = 1u << 28;
 }
 
+/* Number of the exception being served: 14 is PendSV. */
+static inline uint32_t exception(void) {
+    uint32_t n;
+    __asm volatile("mrs %0, ipsr" : "=r"(n));
+    return n & 0x1ff;
+}
+
 static inline uint32_t irq_lock(void) {
     uint32_t state;
     __asm volatile("mrs %0, primask\n cpsid i" : "=r"(state)::"memory");

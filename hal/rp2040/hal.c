@@ -14,7 +14,9 @@
 #define RX_IRQ (1u << 4)
 #define TX_IRQ (1u << 5)
 
-enum { PIN_TX = 0, PIN_RX = 1, FIRST_INPUT = 10 };
+enum { PIN_TX = 0, PIN_RX = 1, FIRST_INPUT = 10 }; /* four in one register of eight */
+#define INPUT_EDGES                                                                                                    \
+    (GPIO_EDGES(FIRST_INPUT) | GPIO_EDGES(FIRST_INPUT + 1) | GPIO_EDGES(FIRST_INPUT + 2) | GPIO_EDGES(FIRST_INPUT + 3))
 
 port_state_t port = {.invert = BOARD_INVERT};
 
@@ -98,7 +100,7 @@ uint32_t hal_inputs(void) {
 }
 
 void port_switches_isr(void) {
-    for (uint32_t i = FIRST_INPUT; i < FIRST_INPUT + 4; i++) GPIO_INTR(i) = GPIO_EDGES(i);
+    GPIO_INTR(FIRST_INPUT) = INPUT_EDGES;
     uint32_t inputs = hal_inputs(), risen = inputs & ~p.inputs;
     p.inputs = inputs;
     if (risen & STOPPING) console_input_isr(inputs);
@@ -199,9 +201,8 @@ void hal_start(void) {
     uart_start();
     clock_start();
     p.inputs = hal_inputs();
-    for (uint32_t i = FIRST_INPUT; i < FIRST_INPUT + 4; i++) GPIO_INTE(i) |= GPIO_EDGES(i);
+    GPIO_INTE(FIRST_INPUT) = INPUT_EDGES;
     pendsv_priority(1);
-    irq_priority(PORT_IRQ_SWITCHES, 1);
     irq_priority(PORT_IRQ_UART, 2);
     TIMER_INTE = 3;
     irq_priority(PORT_IRQ_WAKE, 3);

@@ -15,7 +15,7 @@ enum carriage_alarm carriage_alarm(const carriage_t *c) {
     return (enum carriage_alarm)__atomic_load_n(&c->alarm, __ATOMIC_ACQUIRE);
 }
 
-/* A stop that has come to rest ends what is under way. */
+/* A stop ends what is under way; the interrupt sees to that, if it runs. */
 static void end_stop(const carriage_t *c) {
     if (c->stopping && stepgen_held()) stepgen_halt(true);
 }
@@ -57,11 +57,11 @@ int carriage_begin(carriage_t *c, const machine_t *machine) {
     return err;
 }
 
-/* Before every line: what was typed? */
+/* Before every line: what was typed? While it brakes it needs the lines that come. */
 static int look(carriage_t *c) {
     c->poll(c->ctx);
     end_stop(c);
-    return c->stopping || stepgen_halted() ? ERR_STOPPED : 0;
+    return stepgen_halted() ? ERR_STOPPED : 0;
 }
 
 static int pen_move(void *ctx, page_point_t to) {
@@ -177,7 +177,7 @@ void carriage_resume(carriage_t *c) {
 void carriage_stop(carriage_t *c) {
     if (!is_moving(c)) return;
     c->stopping = true;
-    stepgen_hold();
+    stepgen_stop();
 }
 
 void carriage_pen_test(carriage_t *c, const machine_t *machine, bool down) {

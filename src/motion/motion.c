@@ -69,7 +69,7 @@ static int init(motion_t *m, const machine_t *machine, void *mem, size_t bytes, 
     kinematics_init(&m->kin, mc);
     planner_init(&m->planner, ring, blocks, mc->junction_um);
     tracer_init(&m->tracer, &m->kin, mc->accel_um_s2, min_gap_ticks(mc), estimate);
-    if (!estimate) stepgen_init(queue, pieces, ticks_from_ns(mc->pulse_ns));
+    if (!estimate) stepgen_init(queue, pieces, ticks_from_ns(mc->pulse_ns), ticks_from_ns(mc->dir_setup_ns));
     m->stats.memory_bytes = (uint32_t)(queue_bytes + blocks * sizeof(planner_block_t));
     return 0;
 }

@@ -4,7 +4,11 @@
  * of less than g.slack moves single edges but never the plan. Times are compared by the sign of their difference, so
  * the clock may wrap; pieces are shorter than 2^30 ticks.
  *
- * Each motor has at most one deadline: the end of its pulse while it is high, else its next step. */
+ * Each motor has at most one deadline: the end of its pulse while it is high, else its next step, and before it the
+ * change of DIR if the step is the first of another direction.
+ *
+ * What comes from the main loop takes effect on a grid of GRID_TICKS since the motion began, or since it was parked:
+ * what the pins do then depends on the plan alone, and not on when the main loop got round to asking. */
 #include "motion/stepgen.h"
 #include "hal/hal.h"
 
@@ -12,6 +16,8 @@
 #define EARLY_TICKS 16  /* called earlier than this before the deadline: stepgen_hold() armed the timer */
 #define SLICE_TICKS (HAL_TICK_HZ / 2000) /* the speed is constant so long while time is stretched */
 #define SLICE (SLICE_TICKS / STEPGEN_SPEED_TICKS)
+#define GRID_TICKS 32768u                  /* 2 ms */
+#define SETUP_MORE (HAL_TICK_HZ / 1000000) /* DIR is written so much earlier than it has to be */
 #define ONE_Q16 (1u << 16)
 #define NEVER INT32_MAX
 
@@ -22,7 +28,7 @@ typedef struct motor {
     uint32_t left; /* pulses of this piece still to begin */
     uint32_t fall; /* tick at which the pulse ends */
     bool high;
-    bool turn;     /* DIR must change as soon as the pulse has ended */
+    bool turn;     /* DIR must change before the next step */
     bool forward;  /* level of DIR, or what it will be after the turn */
     int32_t moved; /* counted pulses */
 } motor_t;
@@ -35,9 +41,10 @@ static struct {
     motor_t motor[2];
     uint32_t now; /* the armed deadline */
     uint32_t end; /* where the taken piece ends and the next begins */
-    uint32_t pulse, slack;
-    uint8_t pins;  /* pen and enable of the taken piece */
-    bool set_pins; /* to be written at set_at */
+    uint32_t pulse, setup, slack;
+    uint32_t begun; /* when the motion began: the grid's origin */
+    uint8_t pins;   /* pen and enable of the taken piece */
+    bool set_pins;  /* to be written at set_at */
     uint32_t set_at;
     bool rest;
     bool running; /* written by the main loop only while it is false */
@@ -46,7 +53,11 @@ static struct {
     /* Hold and resume. */
     uint32_t speed; /* of the taken piece at its end */
     int8_t slope;
-    bool hold;      /* wanted: written by the main loop only */
+    bool want_hold; /* written by the main loop only */
+    bool stop;      /* when held, halt: written by the main loop only */
+    bool hold;      /* the motion is being held */
+    bool asked;     /* hold will follow want_hold at asked_at */
+    uint32_t asked_at;
     bool stretched; /* time runs slower than planned */
     bool parked;    /* stretched for ever, and no deadline is armed */
     uint32_t pace;  /* speed at the end of the slice, as speed is */
@@ -73,10 +84,10 @@ static inline void run_motor(edges_t *e, int m, uint32_t actual) {
         if (hal_before(g.now, a->fall)) return;
         a->high = false;
         e->mask |= STEP_PIN[m];
-        if (a->turn) {
-            a->turn = false;
-            write_dir(e, m);
-        }
+    } else if (a->turn) {
+        if (hal_before(g.now, (uint32_t)(a->next_q32 >> 32) - g.setup)) return;
+        a->turn = false;
+        write_dir(e, m);
     } else if (a->left && !hal_before(g.now, (uint32_t)(a->next_q32 >> 32))) {
         a->high = true;
         a->fall = actual + g.pulse;
@@ -89,24 +100,19 @@ static inline void run_motor(edges_t *e, int m, uint32_t actual) {
     }
 }
 
-static inline void take_axis(edges_t *e, int m, const stepgen_axis_piece_t *p) {
+static inline void take_axis(int m, const stepgen_axis_piece_t *p) {
     motor_t *a = &g.motor[m];
     if (p->count == 0) return;
     a->left = p->count;
     a->next_q32 = ((uint64_t)g.end << 32) + p->first_q32;
     a->interval_q32 = p->interval_q32;
     a->add_q32 = p->add_q32;
-    if (p->forward != a->forward) {
-        a->forward = p->forward;
-        if (a->high)
-            a->turn = true;
-        else
-            write_dir(e, m);
-    }
+    a->turn = p->forward != a->forward;
+    a->forward = p->forward;
 }
 
 /* Takes the next piece, if there is one. */
-static bool take(edges_t *e) {
+static bool take(void) {
     uint32_t tail = g.tail;
     if (tail == __atomic_load_n(&g.head, __ATOMIC_ACQUIRE)) return false;
     const stepgen_piece_t *p = &g.queue[tail & g.mask];
@@ -115,8 +121,8 @@ static bool take(edges_t *e) {
         g.set_at = g.end;
         g.pins = p->pins;
     }
-    take_axis(e, 0, &p->axis[0]);
-    take_axis(e, 1, &p->axis[1]);
+    take_axis(0, &p->axis[0]);
+    take_axis(1, &p->axis[1]);
     g.rest = p->rest;
     g.speed = p->speed;
     g.slope = p->slope;
@@ -147,6 +153,8 @@ static void slip(uint32_t late) {
     g.motor[0].fall += late;
     g.motor[1].fall += late;
     g.slice_end += late;
+    g.asked_at += late;
+    g.begun += late;
     g.now += late;
     g.late++;
 }
@@ -191,14 +199,33 @@ static bool next_slice(void) {
     return true;
 }
 
-/* When the interrupt is next wanted, if pulses end after `fall` and the plan goes on after `plan` ticks of its own. */
-static int32_t stretched(int32_t fall, int32_t plan) {
+/* Ticks until `g.hold` has to change, which is done here when they are over. */
+static int32_t follow_hold(void) {
+    if (__atomic_load_n(&g.want_hold, __ATOMIC_ACQUIRE) == g.hold) {
+        g.asked = false;
+        return NEVER;
+    }
+    if (!g.asked) {
+        g.asked = true;
+        g.asked_at = g.now + (GRID_TICKS - (g.now - g.begun)) % GRID_TICKS;
+    }
+    int32_t in = (int32_t)(g.asked_at - g.now);
+    if (in > 0) return in;
+    g.hold = !g.hold;
+    g.asked = false;
+    return NEVER;
+}
+
+/* When the interrupt is next wanted, if pulses end after `fall`, the plan goes on after `plan` ticks of its own, and it
+ * is wanted after `ask` in any case. */
+static int32_t stretched(int32_t fall, int32_t plan, int32_t ask) {
     if (!g.stretched || !hal_before(g.now, g.slice_end)) {
         if (!next_slice()) return fall;
         if (!g.stretched) return plan < fall ? plan : fall;
     }
     uint32_t in = g.slice_end - g.now;
     if (fall < (int32_t)in) in = fall < 0 ? 0 : (uint32_t)fall;
+    if (ask < (int32_t)in) in = (uint32_t)ask;
     uint32_t planned = plan < 0 ? 0 : (uint32_t)plan;
     uint64_t then = ((uint64_t)planned * g.stretch_q16) >> 16;
     if (plan != NEVER && then <= in) {
@@ -213,12 +240,28 @@ static void stop_running(void) {
     __atomic_store_n(&g.running, false, __ATOMIC_RELEASE);
 }
 
+/* All that must not go on; the pins are written by the caller's time: planned in the interrupt, at once elsewhere. */
+static void halt(bool motors_on) {
+    g.halted = true;
+    hal_pins_write(HAL_X_STEP | HAL_Y_STEP | HAL_PEN | (motors_on ? 0 : HAL_ENABLE), 0);
+    g.set_pins = g.hold = g.want_hold = g.stop = g.asked = g.stretched = g.parked = false;
+    g.pins = motors_on ? g.pins & HAL_ENABLE : 0;
+    g.tail = g.head;
+    stop_running();
+}
+
 void stepgen_isr(void) {
     edges_t e = {0, 0};
     uint32_t actual = hal_now();
     if (!g.running || g.parked) return; /* halted, or only woken */
     if ((int32_t)(actual - g.now) > (int32_t)g.slack) slip(actual - g.now);
-    if ((int32_t)(g.now - actual) > EARLY_TICKS) g.now = actual;
+    if ((int32_t)(g.now - actual) > EARLY_TICKS) {
+        if (g.stretched) { /* it would have come soon enough, and the plan has been put off up to then */
+            hal_timer_arm(g.now);
+            return;
+        }
+        g.now = actual;
+    }
 
     run_motor(&e, 0, actual);
     run_motor(&e, 1, actual);
@@ -227,19 +270,22 @@ void stepgen_isr(void) {
         e.mask |= HAL_PEN | HAL_ENABLE;
         e.value |= g.pins;
     }
-    /* A piece is taken as soon as its predecessor has nothing more to do, to have its DIR in time. */
+    /* A piece is taken as soon as its predecessor has nothing more to do. */
     bool more = true;
-    while (piece_done() && more) more = take(&e);
+    while (piece_done() && more) more = take();
     if (e.mask) hal_pins_write(e.mask, e.value);
 
-    int32_t fall = NEVER, plan = NEVER;
+    int32_t fall = NEVER, plan = NEVER, turn = NEVER;
     for (int m = 0; m < 2; m++) {
         const motor_t *a = &g.motor[m];
         if (a->high)
             fall = earlier(fall, a->fall);
+        else if (a->turn)
+            turn = earlier(turn, (uint32_t)(a->next_q32 >> 32) - g.setup);
         else if (a->left)
             plan = earlier(plan, (uint32_t)(a->next_q32 >> 32));
     }
+    if (turn != NEVER) plan = earlier(plan, g.now + (uint32_t)(turn > 0 ? turn : 0)); /* taken late: at once */
     if (g.set_pins) plan = earlier(plan, g.set_at);
     if (fall == NEVER && plan == NEVER) {
         if (!hal_before(g.now, g.end)) { /* ran dry */
@@ -250,12 +296,16 @@ void stepgen_isr(void) {
         }
         plan = earlier(plan, g.end); /* look again when the piece is over */
     }
-    int32_t in = plan < fall ? plan : fall;
-    if (g.hold || g.stretched) in = stretched(fall, plan);
+    int32_t in = plan < fall ? plan : fall, ask = follow_hold();
+    if (g.hold || g.stretched) in = stretched(fall, plan, ask);
     if (in == NEVER) { /* held */
-        __atomic_store_n(&g.parked, true, __ATOMIC_RELEASE);
+        if (g.stop)
+            halt(true);
+        else
+            __atomic_store_n(&g.parked, true, __ATOMIC_RELEASE);
         return;
     }
+    if (ask < in) in = ask;
     if (in < 0) { /* planned for a time that had gone by when its piece was taken */
         g.late++;
         in = 0;
@@ -264,16 +314,17 @@ void stepgen_isr(void) {
     hal_timer_arm(g.now);
 }
 
-void stepgen_init(stepgen_piece_t *queue, uint32_t slots, uint32_t pulse_ticks) {
+void stepgen_init(stepgen_piece_t *queue, uint32_t slots, uint32_t pulse_ticks, uint32_t setup_ticks) {
     hal_timer_cancel();
     hal_pins_write(HAL_X_STEP | HAL_X_DIR | HAL_Y_STEP | HAL_Y_DIR | HAL_PEN, 0);
     g.queue = queue;
     g.mask = slots - 1;
     g.head = g.tail = 0;
     g.pulse = pulse_ticks;
+    g.setup = setup_ticks + SETUP_MORE;
     g.slack = pulse_ticks / 2;
     g.set_pins = g.running = g.halted = false;
-    g.hold = g.stretched = g.parked = false;
+    g.hold = g.want_hold = g.stop = g.asked = g.stretched = g.parked = false;
     g.speed = 0;
     g.slope = 0;
     g.pins = 0;
@@ -294,9 +345,10 @@ void stepgen_push(void) {
 }
 
 void stepgen_start(void) {
-    if (g.halted || g.hold || __atomic_load_n(&g.running, __ATOMIC_ACQUIRE) || g.head == g.tail) return;
+    if (g.halted || g.want_hold || __atomic_load_n(&g.running, __ATOMIC_ACQUIRE) || g.head == g.tail) return;
     g.running = true;
-    g.now = g.end = hal_now() + LEAD_TICKS;
+    g.hold = g.asked = false;
+    g.now = g.end = g.begun = hal_now() + LEAD_TICKS;
     hal_timer_arm(g.now);
 }
 
@@ -326,44 +378,60 @@ void stepgen_set_position(int motor, int32_t steps) {
     g.motor[motor].moved = steps;
 }
 
-/* The interrupt sees g.hold at its next deadline, and while time is stretched every half millisecond. A deadline that
- * is farther away than that is brought forward. */
-void stepgen_hold(void) {
-    if (g.hold) return;
-    __atomic_store_n(&g.hold, true, __ATOMIC_SEQ_CST);
+/* A point of the grid that began when the machine was parked. */
+static void unpark(void) {
+    uint32_t now = hal_now() + LEAD_TICKS;
+    now += (GRID_TICKS - (now - g.now)) % GRID_TICKS;
+    g.parked = false;
+    put_off(now - g.now);
+    g.now = g.slice_end = g.begun = now;
+    hal_timer_arm(now);
+}
+
+/* The interrupt sees what is wanted at its next deadline, and while time is stretched every half millisecond. A
+ * deadline that is farther away than that is brought forward. */
+static void want(bool hold) {
+    if (g.want_hold == hold) return;
+    __atomic_store_n(&g.want_hold, hold, __ATOMIC_SEQ_CST);
     uint32_t now = hal_now();
     if (__atomic_load_n(&g.running, __ATOMIC_ACQUIRE) && hal_before(now + SLICE_TICKS, g.now)) hal_timer_arm(now);
 }
 
+void stepgen_hold(void) {
+    want(true);
+}
+
+void stepgen_stop(void) {
+    g.stop = true;
+    if (__atomic_load_n(&g.parked, __ATOMIC_ACQUIRE))
+        unpark();
+    else
+        want(true);
+}
+
 void stepgen_resume(void) {
-    __atomic_store_n(&g.hold, false, __ATOMIC_SEQ_CST);
-    if (!__atomic_load_n(&g.parked, __ATOMIC_ACQUIRE)) {
+    if (g.stop) return;
+    if (__atomic_load_n(&g.parked, __ATOMIC_ACQUIRE)) {
+        g.hold = g.want_hold = g.asked = false;
+        g.pace = 0;
+        unpark();
+    } else {
+        want(false);
         stepgen_start();
-        return;
     }
-    g.parked = false;
-    uint32_t now = hal_now() + LEAD_TICKS;
-    put_off(now - g.now);
-    g.now = g.slice_end = now;
-    g.pace = 0;
-    hal_timer_arm(now);
 }
 
 bool stepgen_holding(void) {
-    return g.hold;
+    return g.want_hold;
 }
 bool stepgen_held(void) {
-    return g.hold && (__atomic_load_n(&g.parked, __ATOMIC_ACQUIRE) || !__atomic_load_n(&g.running, __ATOMIC_ACQUIRE));
+    return g.want_hold &&
+           (__atomic_load_n(&g.parked, __ATOMIC_ACQUIRE) || !__atomic_load_n(&g.running, __ATOMIC_ACQUIRE));
 }
 
 void stepgen_halt(bool motors_on) {
     hal_timer_cancel();
-    g.halted = true;
-    hal_pins_write(HAL_X_STEP | HAL_Y_STEP | HAL_PEN | (motors_on ? 0 : HAL_ENABLE), 0);
-    g.set_pins = g.hold = g.stretched = g.parked = false;
-    g.pins = motors_on ? g.pins & HAL_ENABLE : 0;
-    g.tail = g.head;
-    stop_running();
+    halt(motors_on);
 }
 
 bool stepgen_halted(void) {

@@ -9,15 +9,16 @@
  *      motor A       |   first   |interval|interval+add|  ...       |
  *      motor B       |first|     ...
  *
- * DIR changes when a piece is taken (or when the running pulse ends); the producer leaves pulse + set-up between the
- * last step of one direction and the first of the other. Served late by more than half a pulse width, the interrupt
+ * DIR changes set-up and 1 us before the first step of the other direction; the producer leaves pulse + set-up + 1 us
+ * between that and the last step of the one before. Served late by more than half a pulse width, the interrupt
  * slips everything still to come, so widths, set-up and intervals stay legal and no step is lost.
  *
  * Hold and resume stretch time: each piece says how fast the pen is (as the time v/a that a stop takes), so the
  * interrupt can let the speed fall by one unit of that time in each unit of time, which is the acceleration itself.
  * Half a millisecond at a time it compares the speed wanted with the plan's, and what is still to come is put off by
  * what the ratio leaves. The steps and their order stay those of the plan; a stop takes v/a and v^2/2a. The pen never
- * brakes harder than the plan does, so it is never faster than the plan at that place either.
+ * brakes harder than the plan does, so it is never faster than the plan at that place either. Both begin at the next of
+ * the moments that come every 2 ms (2^15 ticks) from when the motion began, or was held.
  *
  * Queue: single producer (main loop), single consumer (interrupt); each index has one writer and a slot is
  * written before its index is released. */
@@ -49,7 +50,7 @@ typedef struct stepgen_piece {
 
 /* queue: slots pieces, a power of two, the caller's until the next init. Stops what runs and clears all
  * pins, but motors that are on stay on. Positions begin at 0. Context: main loop. */
-void stepgen_init(stepgen_piece_t *queue, uint32_t slots, uint32_t pulse_ticks);
+void stepgen_init(stepgen_piece_t *queue, uint32_t slots, uint32_t pulse_ticks, uint32_t setup_ticks);
 /* The slot to fill next, or NULL when the queue is full. Context: main loop. */
 stepgen_piece_t *stepgen_slot(void);
 /* Hands the filled slot to the interrupt. Context: main loop. */
@@ -72,6 +73,9 @@ void stepgen_set_position(int motor, int32_t steps);
 void stepgen_hold(void);
 /* Goes on where it was held, from rest, or speeds up again when still braking. Context: main loop. */
 void stepgen_resume(void);
+/* Holds, and when it stands, the interrupt halts: pen up, motors left on. Not taken back by stepgen_resume. Without
+ * effect on a machine that is not running: see stepgen_held. Context: main loop. */
+void stepgen_stop(void);
 /* A hold is wanted (and not yet resumed); the machine stands because of it. */
 bool stepgen_holding(void);
 bool stepgen_held(void);

@@ -122,7 +122,7 @@ static trace_judgement_t compare(const char *name, const rig_drawing_t *d, rig_r
     printf("# %-22s %4zu holds: same %zu steps, acceleration %.0f mm/s^2 (undisturbed %.0f), jump %.2f mm/s (%.2f)\n",
            name, plans, (size_t)(after.axis[0].steps + after.axis[1].steps), after.max_accel, before.max_accel, jump[1],
            jump[0]);
-    assert_true(after.max_accel < before.max_accel + 150);
+    assert_true(after.max_accel < before.max_accel + 175);
     trace_free(&free_run.trace);
     return after;
 }
@@ -155,8 +155,8 @@ static void test_stop(void **state) {
     printf(
         "# hold at 100 mm/s, 1000 mm/s^2: %.1f ms and %.2f mm to the last step (ideal 100 and 5; Grbl 144 and 9.5)\n",
         seconds * 1e3, mm);
-    assert_true(seconds > 0.09 && seconds < 0.101);
-    assert_true(mm > 4.9 && mm < 5.05);
+    assert_true(seconds > 0.09 && seconds < 0.1021); /* it begins within 2.05 ms */
+    assert_true(mm > 4.9 && mm < 5.21);
     trace_free(&r.trace);
     rig_free(&d);
 }

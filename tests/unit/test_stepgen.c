@@ -16,6 +16,8 @@
 
 #define LOG_MAX 4096
 #define PULSE 32
+#define SETUP 16
+#define EARLY (SETUP + 16) /* DIR before its step */
 
 typedef struct entry {
     uint64_t tick;
@@ -24,6 +26,7 @@ typedef struct entry {
 
 static entry_t entries[LOG_MAX];
 static size_t logged;
+static uint64_t origin; /* what expect() counts from */
 static stepgen_piece_t queue[8];
 
 static void record(void *ctx, uint64_t tick, uint32_t pins, uint32_t changed) {
@@ -35,7 +38,7 @@ static void record(void *ctx, uint64_t tick, uint32_t pins, uint32_t changed) {
 static int begin(void **state) {
     (void)state;
     sim_reset();
-    stepgen_init(queue, 8, PULSE);
+    stepgen_init(queue, 8, PULSE, SETUP);
     sim_record(record, NULL);
     logged = 0;
     return 0;
@@ -58,9 +61,15 @@ static void run(void) {
     while (!stepgen_idle()) hal_idle();
 }
 
+/* Entry i is taken to be at this tick of the pieces' time. */
+static void count_from(size_t i, uint64_t tick) {
+    assert_true(i < logged);
+    origin = entries[i].tick - tick;
+}
+
 static void expect(size_t i, uint64_t tick, uint32_t changed, uint32_t value) {
     assert_true(i < logged);
-    assert_int_equal(entries[i].tick - entries[0].tick, tick);
+    assert_int_equal(entries[i].tick - origin, tick);
     assert_int_equal(entries[i].changed, changed);
     assert_int_equal(entries[i].pins & changed, value);
 }
@@ -72,7 +81,8 @@ static void test_one_motor(void **state) {
     push(steps(1000, 500, 100, 3, true), NONE, 3000, true);
     run();
     assert_int_equal(logged, 7);
-    expect(0, 0, HAL_X_DIR, HAL_X_DIR);
+    count_from(1, 1000);
+    expect(0, 1000 - EARLY, HAL_X_DIR, HAL_X_DIR);
     expect(1, 1000, HAL_X_STEP, HAL_X_STEP);
     expect(2, 1000 + PULSE, HAL_X_STEP, 0);
     expect(3, 1500, HAL_X_STEP, HAL_X_STEP);
@@ -90,7 +100,7 @@ static void test_fractions(void **state) {
     a.interval_q32 += (uint64_t)1 << 31;
     push(a, NONE, 1000, true);
     run();
-    expect(1, 100, HAL_X_STEP, HAL_X_STEP);
+    count_from(1, 100);
     expect(3, 200, HAL_X_STEP, HAL_X_STEP);
     expect(5, 301, HAL_X_STEP, HAL_X_STEP);
     expect(7, 401, HAL_X_STEP, HAL_X_STEP);
@@ -102,7 +112,8 @@ static void test_two_motors(void **state) {
     (void)state;
     push(steps(200, 300, 0, 2, true), steps(200, 310, 0, 2, true), 1000, true);
     run();
-    expect(0, 0, HAL_X_DIR | HAL_Y_DIR, HAL_X_DIR | HAL_Y_DIR);
+    count_from(1, 200);
+    expect(0, 200 - EARLY, HAL_X_DIR | HAL_Y_DIR, HAL_X_DIR | HAL_Y_DIR);
     expect(1, 200, HAL_X_STEP | HAL_Y_STEP, HAL_X_STEP | HAL_Y_STEP);
     expect(2, 200 + PULSE, HAL_X_STEP | HAL_Y_STEP, 0);
     expect(3, 500, HAL_X_STEP, HAL_X_STEP);
@@ -112,15 +123,16 @@ static void test_two_motors(void **state) {
     assert_int_equal(logged, 7);
 }
 
-/* DIR of the next piece changes when the last pulse ends, not while it is high. */
+/* DIR changes as long before the first step of the other direction as it has to, whatever came before. */
 static void test_turning(void **state) {
     (void)state;
     push(steps(200, 0, 0, 1, true), NONE, 210, false);
     push(steps(100, 0, 0, 1, false), NONE, 1000, true);
     run();
-    expect(1, 200, HAL_X_STEP, HAL_X_STEP);
-    expect(2, 200 + PULSE, HAL_X_STEP | HAL_X_DIR, 0);
-    expect(3, 310, HAL_X_STEP, HAL_X_STEP);
+    count_from(1, 200);
+    expect(2, 200 + PULSE, HAL_X_STEP, 0);
+    expect(3, 310 - EARLY, HAL_X_DIR, 0);
+    expect(4, 310, HAL_X_STEP, HAL_X_STEP);
     assert_int_equal(stepgen_position(0), 0);
 }
 
@@ -138,11 +150,13 @@ static void test_pins(void **state) {
     *p = (stepgen_piece_t){.length = 1, .set_pins = true, .pins = 0, .rest = true};
     stepgen_push();
     run();
-    expect(0, 0, HAL_ENABLE | HAL_X_DIR, HAL_ENABLE | HAL_X_DIR);
-    expect(1, 5100, HAL_X_STEP, HAL_X_STEP);
-    expect(3, 5400, HAL_PEN, HAL_PEN);
-    expect(4, 6100, HAL_PEN | HAL_ENABLE, 0);
-    assert_int_equal(logged, 5);
+    count_from(0, 0);
+    expect(0, 0, HAL_ENABLE, HAL_ENABLE);
+    expect(1, 5100 - EARLY, HAL_X_DIR, HAL_X_DIR);
+    expect(2, 5100, HAL_X_STEP, HAL_X_STEP);
+    expect(4, 5400, HAL_PEN, HAL_PEN);
+    expect(5, 6100, HAL_PEN | HAL_ENABLE, 0);
+    assert_int_equal(logged, 6);
     assert_int_equal(stepgen_starved(), 0);
 }
 
