@@ -57,6 +57,9 @@ enum hal_input {
     HAL_IN_ESTOP = 1 << 3,
 };
 uint32_t hal_inputs(void);
+/* These limit switches stop what is under way: when one closes, the port itself ends pulses and lifts the pen, at once,
+ * before it calls console_input_isr. The emergency stop always does, and switches the motors off. 0: none. */
+void hal_trip(uint32_t limits);
 
 /* Memory that keeps its contents without power: slots that are erased and written as a whole. A write that loses its
  * power leaves its own slot undefined and all others alone; checksums and taking turns are the caller's. Not while

@@ -10,14 +10,15 @@
 #define AHEAD_CHAIN 24
 #define AHEAD_SLACK 48
 
+#define PORT_ALL_PINS 0x3fu
+#define PORT_INVERT 0u /* high is active: a chip in reset drives nothing, and pull-downs leave motors off, pen up */
+
 enum { PORT_IRQ_SWITCHES = 4 /* GPIO port E */, PORT_IRQ_UART = 5, PORT_IRQ_TIMER = 19 /* GPTM 0A */ };
 
 void port_systick_isr(void);
 void port_switches_isr(void);
 void port_uart_isr(void);
 void port_timer_isr(void);
-/* An exception that cannot be: pen up, motors off, stop. */
-void port_panic(void);
 
 typedef struct port_state {
     uint32_t ticks, part; /* clock at systick, and 1/25 ticks */
@@ -68,6 +69,44 @@ static inline port_word_t port_word(uint32_t mask, uint32_t value) {
 
 static inline void port_write(port_word_t word) {
     *word.at = word.value;
+}
+
+static inline uint32_t port_pins(void) {
+    return GPIO_DATA(GPIOB, PORT_ALL_PINS);
+}
+
+static inline uint32_t port_inputs(void) {
+    return GPIO_DATA(GPIOE, 0x0f);
+}
+
+#define PORT_UART_NONE UINT32_MAX
+#define PORT_UART_LOST 0x800u /* as in DR */
+#define PORT_UART_DAMAGED 0x700u
+#define UART_RX (1u << 4) /* in IMSC */
+#define UART_TX (1u << 5)
+
+static inline uint32_t port_uart_take(void) {
+    if (UART0_FR & 1u << 4) return PORT_UART_NONE;
+    uint32_t data = UART0_DR;
+    if (data & 0xf00u) UART0_RSR = 0;
+    return data;
+}
+
+static inline bool port_uart_sent(void) {
+    return !(UART0_FR & 1u << 5);
+}
+
+static inline void port_uart_send(uint8_t byte) {
+    UART0_DR = byte;
+}
+
+static inline void port_uart_put(uint8_t byte) {
+    while (!port_uart_sent()) continue;
+    port_uart_send(byte);
+}
+
+static inline void port_uart_sending(bool on) {
+    UART0_IM = UART_RX | (on ? UART_TX : 0);
 }
 
 #endif

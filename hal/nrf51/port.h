@@ -16,6 +16,9 @@
 #define AHEAD_CHAIN 208
 #define AHEAD_SLACK 160
 
+#define PORT_ALL_PINS 0x3fu
+#define PORT_INVERT 0u /* high is active: a chip in reset drives nothing, and pull-downs leave motors off, pen up */
+
 enum { PORT_IRQ_UART = 2, PORT_IRQ_TIMER = 8 };
 
 /* Pin numbers of the chip, in the order of enum hal_pin. */
@@ -24,11 +27,15 @@ enum { PIN_X_STEP = 3, PIN_X_DIR = 2, PIN_Y_STEP = 1, PIN_Y_DIR = 18, PIN_PEN = 
 void port_uart_isr(void);
 void port_timer_isr(void);
 void port_plan_isr(void);
-/* An exception that cannot be: pen up, motors off, stop. */
-void port_panic(void);
 
 extern const uint32_t port_spread[64]; /* pin word to the chip's pins */
-extern uint32_t port_invert;           /* pins that are active low */
+uint32_t port_pins(void);
+uint32_t port_inputs(void);
+
+typedef struct port_state {
+    uint32_t invert; /* pins that are active low */
+} port_state_t;
+extern port_state_t port;
 
 static inline uint32_t port_count(void) {
     TIMER0_CAPTURE1 = 1;
@@ -62,12 +69,43 @@ typedef struct port_word {
 } port_word_t;
 
 static inline port_word_t port_word(uint32_t mask, uint32_t value) {
-    return (port_word_t){port_spread[mask], port_spread[(value ^ port_invert) & mask]};
+    return (port_word_t){port_spread[mask], port_spread[(value ^ port.invert) & mask]};
 }
 
 /* Not by OUTSET and OUTCLR, which would be two moments. */
 static inline void port_write(port_word_t word) {
     GPIO_OUT = (GPIO_OUT & ~word.mask) | word.value;
+}
+
+#define PORT_UART_NONE UINT32_MAX
+#define PORT_UART_LOST 0x100u
+#define PORT_UART_DAMAGED 0x200u
+
+/* Errors come by an event of their own: port_uart_isr. */
+static inline uint32_t port_uart_take(void) {
+    if (!UART_RXDRDY) return PORT_UART_NONE;
+    UART_RXDRDY = 0;
+    return UART_RXD & 0xff;
+}
+
+static inline bool port_uart_sent(void) {
+    if (!UART_TXDRDY) return false;
+    UART_TXDRDY = 0;
+    return true;
+}
+
+static inline void port_uart_send(uint8_t byte) {
+    UART_TXD = byte;
+}
+
+static inline void port_uart_put(uint8_t byte) {
+    UART_TXDRDY = 0;
+    UART_TXD = byte;
+    while (!UART_TXDRDY) continue;
+}
+
+static inline void port_uart_sending(bool on) {
+    (void)on; /* the event comes once for each byte */
 }
 
 #endif

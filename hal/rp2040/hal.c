@@ -1,39 +1,16 @@
 /* hal.c - hal.h on the RP2040 of a Raspberry Pi Pico, 125 MHz; see port.h for pins and clock. */
 #include "hal/hal.h"
 
-#include "error.h"
 #include "hal/port/ahead.h"
-#include "hal/port/ring.h"
+#include "hal/port/console.h"
+#include "hal/port/switches.h"
 #include "port.h"
 
-#define ALL_PINS 0x3fu
-#define BOARD_INVERT HAL_ENABLE /* /ENABLE, pulled up on the drivers: a chip in reset leaves them off */
-#define ALL_INPUTS 0x0fu
-#define STOPPING (HAL_IN_LIMIT_X | HAL_IN_LIMIT_Y | HAL_IN_ESTOP)
-
-#define RX_IRQ (1u << 4)
-#define TX_IRQ (1u << 5)
-
-enum { PIN_TX = 0, PIN_RX = 1, FIRST_INPUT = 10 }; /* four in one register of eight */
+enum { PIN_TX = 0, PIN_RX = 1 };
 #define INPUT_EDGES                                                                                                    \
     (GPIO_EDGES(FIRST_INPUT) | GPIO_EDGES(FIRST_INPUT + 1) | GPIO_EDGES(FIRST_INPUT + 2) | GPIO_EDGES(FIRST_INPUT + 3))
 
-port_state_t port = {.invert = BOARD_INVERT};
-
-static struct {
-    uint32_t invert_in;
-    ring_t rx, tx;
-    volatile bool sending;
-    volatile uint32_t errors;
-    uint32_t inputs;
-} p;
-
-void hal_invert(uint32_t pins, uint32_t inputs) {
-    uint32_t value = (SIO_OUT >> FIRST_PIN & ALL_PINS) ^ port.invert;
-    port.invert = BOARD_INVERT ^ pins;
-    p.invert_in = ALL_INPUTS ^ inputs;
-    hal_pins_write(ALL_PINS, value);
-}
+port_state_t port = {.invert = PORT_INVERT};
 
 void port_timer_isr(void) {
     TIMER_INTR = 2;
@@ -45,7 +22,7 @@ void port_timer_isr(void) {
 void hal_idle(void) {
     uint32_t state = irq_lock();
     TIMER_ALARM0 = TIMER_RAWL + 1000;
-    if (ring_empty(&p.rx)) __asm volatile("wfi");
+    if (!console_waiting()) __asm volatile("wfi");
     irq_unlock(state);
 }
 
@@ -53,57 +30,9 @@ void port_wake_isr(void) {
     TIMER_INTR = 1;
 }
 
-int hal_console_read(void) {
-    return ring_get(&p.rx);
-}
-
-static void send_next(void) {
-    int byte = ring_get(&p.tx);
-    p.sending = byte >= 0;
-    UART_IMSC = RX_IRQ | (p.sending ? TX_IRQ : 0);
-    if (byte >= 0) UART_DR = (uint32_t)byte;
-}
-
-void hal_console_write(const char *text, size_t bytes) {
-    for (size_t i = 0; i < bytes; i++) {
-        while (!ring_put(&p.tx, (uint8_t)text[i])) hal_idle();
-        uint32_t state = irq_lock();
-        if (!p.sending) send_next();
-        irq_unlock(state);
-    }
-}
-
-uint32_t hal_console_errors(void) {
-    uint32_t state = irq_lock();
-    uint32_t n = p.errors;
-    p.errors = 0;
-    irq_unlock(state);
-    return n;
-}
-
-void port_uart_isr(void) {
-    UART_ICR = 0x7f0;
-    while (!(UART_FR & 1u << 4)) {
-        uint32_t data = UART_DR;
-        if (data & 0xf00u) { /* overrun: the byte is good, one before it was lost; else: framing */
-            UART_RSR = 0;
-            p.errors++;
-            if (data & 0x700u) continue;
-        }
-        if (!ring_put(&p.rx, (uint8_t)data)) p.errors++;
-    }
-    if (p.sending && !(UART_FR & 1u << 5)) send_next();
-}
-
-uint32_t hal_inputs(void) {
-    return (SIO_IN >> FIRST_INPUT & ALL_INPUTS) ^ p.invert_in;
-}
-
 void port_switches_isr(void) {
     GPIO_INTR(FIRST_INPUT) = INPUT_EDGES;
-    uint32_t inputs = hal_inputs(), risen = inputs & ~p.inputs;
-    p.inputs = inputs;
-    if (risen & STOPPING) console_input_isr(inputs);
+    switches_isr();
 }
 
 static uint32_t watchdog_load;
@@ -159,7 +88,7 @@ static void pins_start(void) {
         GPIO_PAD(i) = PAD_OUT;
         GPIO_CTRL(i) = FUNC_SIO;
     }
-    SIO_OE_SET = ALL_PINS << FIRST_PIN;
+    SIO_OE_SET = PORT_ALL_PINS << FIRST_PIN;
     for (uint32_t i = FIRST_INPUT; i < FIRST_INPUT + 4; i++) {
         GPIO_PAD(i) = PAD_PULLUP;
         GPIO_CTRL(i) = FUNC_SIO;
@@ -175,7 +104,7 @@ static void uart_start(void) {
     UART_FBRD = 52;
     UART_LCR = 3u << 5; /* no FIFO: an interrupt for every byte */
     UART_CR = 0x301;
-    UART_IMSC = RX_IRQ;
+    UART_IMSC = UART_RX;
 }
 
 static void clock_start(void) {
@@ -193,14 +122,13 @@ void hal_start(void) {
     const uint32_t need = 1u << 5 | 1u << 8 | 1u << 14 | 1u << 21 | 1u << 22;
     REG(RESETS + CLR) = 1u << 5 | 1u << 8;
     while ((~REG(RESETS + 0x08u)) & (1u << 5 | 1u << 8)) continue;
-    p.invert_in = ALL_INPUTS;
     pins_start();
     clocks_start();
     REG(RESETS + CLR) = need;
     while (~REG(RESETS + 0x08u) & need) continue;
     uart_start();
     clock_start();
-    p.inputs = hal_inputs();
+    switches_start();
     GPIO_INTE(FIRST_INPUT) = INPUT_EDGES;
     pendsv_priority(1);
     irq_priority(PORT_IRQ_UART, 2);
@@ -210,30 +138,4 @@ void hal_start(void) {
     irq_enable(PORT_IRQ_TIMER);
     irq_enable(PORT_IRQ_SWITCHES);
     irq_enable(PORT_IRQ_UART);
-}
-
-static void put_polled(const char *text) {
-    for (; *text; text++) {
-        while (UART_FR & 1u << 5) continue;
-        UART_DR = (uint8_t)*text;
-    }
-}
-
-void hal_fault(const char *what, int32_t a, int32_t b) {
-    (void)irq_lock();
-    port_write(port_word(ALL_PINS, 0));
-    put_polled("\r\nfault: ");
-    put_polled(what);
-    const int32_t number[2] = {a, b};
-    for (int i = 0; i < 2; i++) {
-        char text[] = " 0x00000000";
-        for (int k = 0; k < 8; k++) text[10 - k] = "0123456789abcdef"[(uint32_t)number[i] >> 4 * k & 15];
-        put_polled(text);
-    }
-    put_polled("\r\n");
-    for (;;) continue;
-}
-
-void port_panic(void) {
-    hal_fault("exception", (int32_t)(ICSR & 0x1ff), 0);
 }

@@ -16,7 +16,11 @@
 #define AHEAD_CHAIN 24
 #define AHEAD_SLACK 48
 
+#define PORT_ALL_PINS 0x3fu
+#define PORT_INVERT HAL_ENABLE /* /ENABLE, pulled up on the drivers: a chip in reset leaves them off */
+
 #define FIRST_PIN 2
+#define FIRST_INPUT 10 /* four in one register of eight */
 #define CLOCK_SLICE 7
 
 enum { PORT_IRQ_WAKE = 0 /* TIMER alarm 0 */, PORT_IRQ_TIMER = 1, PORT_IRQ_SWITCHES = 13, PORT_IRQ_UART = 20 };
@@ -24,9 +28,6 @@ enum { PORT_IRQ_WAKE = 0 /* TIMER alarm 0 */, PORT_IRQ_TIMER = 1, PORT_IRQ_SWITC
 void port_timer_isr(void);
 void port_wake_isr(void);
 void port_switches_isr(void);
-void port_uart_isr(void);
-/* An exception that cannot be: pen up, motors off, stop. */
-void port_panic(void);
 
 typedef struct port_state {
     uint16_t phase;  /* of the counter against TIMER */
@@ -67,6 +68,44 @@ static inline port_word_t port_word(uint32_t mask, uint32_t value) {
 
 static inline void port_write(port_word_t word) {
     SIO_OUT_XOR = (SIO_OUT ^ word.value) & word.mask;
+}
+
+static inline uint32_t port_pins(void) {
+    return SIO_OUT >> FIRST_PIN & PORT_ALL_PINS;
+}
+
+static inline uint32_t port_inputs(void) {
+    return SIO_IN >> FIRST_INPUT & 0x0f;
+}
+
+#define PORT_UART_NONE UINT32_MAX
+#define PORT_UART_LOST 0x800u /* as in DR */
+#define PORT_UART_DAMAGED 0x700u
+#define UART_RX (1u << 4) /* in IMSC */
+#define UART_TX (1u << 5)
+
+static inline uint32_t port_uart_take(void) {
+    if (UART_FR & 1u << 4) return PORT_UART_NONE;
+    uint32_t data = UART_DR;
+    if (data & 0xf00u) UART_RSR = 0;
+    return data;
+}
+
+static inline bool port_uart_sent(void) {
+    return !(UART_FR & 1u << 5);
+}
+
+static inline void port_uart_send(uint8_t byte) {
+    UART_DR = byte;
+}
+
+static inline void port_uart_put(uint8_t byte) {
+    while (!port_uart_sent()) continue;
+    port_uart_send(byte);
+}
+
+static inline void port_uart_sending(bool on) {
+    UART_IMSC = UART_RX | (on ? UART_TX : 0);
 }
 
 #endif

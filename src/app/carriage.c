@@ -53,8 +53,10 @@ int carriage_begin(carriage_t *c, const machine_t *machine) {
     c->machine = *machine;
     c->stopping = false;
     int err = prepare(c, machine);
-    if (!err) c->state = CARRIAGE_RUN;
-    return err;
+    if (err) return err;
+    c->state = CARRIAGE_RUN;
+    hal_trip(LIMITS);
+    return 0;
 }
 
 /* Before every line: what was typed? While it brakes it needs the lines that come. */
@@ -91,6 +93,7 @@ int carriage_end(carriage_t *c, int err, motion_stats_t *stats) {
         if (!carriage_alarm(c)) wait_us(c, c->machine.lift_us);
         if (!finish) finish = ERR_STOPPED;
     }
+    hal_trip(0);
     c->place = motion_place(&c->motion);
     c->state = CARRIAGE_IDLE;
     c->stopping = false;
@@ -109,9 +112,11 @@ static int leg(carriage_t *c, uint32_t speed_um_s, int axis, int32_t mm, uint8_t
     int err = prepare(c, &m);
     if (err) return err;
     __atomic_store_n(&c->seeking, seek, __ATOMIC_RELEASE);
+    hal_trip(seek);
     err = motion_travel(&c->motion, to);
     int parked = motion_park(&c->motion, NULL);
     __atomic_store_n(&c->seeking, 0, __ATOMIC_RELEASE);
+    hal_trip(0);
     if (c->stopping || carriage_alarm(c)) return ERR_STOPPED;
     if (!err) err = parked;
     return seek && err == ERR_STOPPED ? 0 : err;
