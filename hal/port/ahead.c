@@ -5,7 +5,7 @@
 #include "hal/port/cortex.h"
 #include "port.h"
 
-#define CHAIN 4 /* edges made ready together */
+#define CHAIN 8 /* edges made ready together */
 
 typedef struct edge {
     uint32_t at; /* clock */
@@ -160,7 +160,7 @@ static void left_late(uint32_t from, uint32_t late) {
     a.newest = before;
 }
 
-/* Edges, until leaving pays. Those that come close together, up to both motors' beginning and ending a pulse, are made
+/* Edges, until leaving pays. Those that come close together are made
  * ready before the first is waited for, so that no more than AHEAD_GAP lies between two. */
 void ahead_write_isr(void) {
     uint32_t now = port_now();
