@@ -46,7 +46,7 @@ bool bands_hide(bands_t *b, int32_t a0, int32_t a1, int32_t low, int32_t high);
 /* Adds the region between `n` lines, n <= BANDS_LINES: over each abscissa from the lowest to the highest of the lines
  * there; where there is only one, from it down to the floor (below > 0), up to the ceiling (below < 0), or nothing (0).
  * `inset` units at the top and the bottom are left out. Returns 0, or ERR_FULL, and the cover is then useless. */
-#define BANDS_LINES 16
+#define BANDS_LINES 32
 int bands_add(bands_t *b, const bands_line_t *line, int32_t n, int below, int32_t inset);
 
 #endif

@@ -123,14 +123,14 @@ int edges_filter(edges_t *e, bands_t *filter, int32_t *pool, size_t words) {
 
 /* A point of an edge relative to the eye. */
 typedef struct place {
-    int32_t x, y, z;
+    int32_t x, y;
+    int64_t z; /* |z| < 2^60 */
 } place_t;
 
 static place_t place_at(place_t p, place_t q, int32_t s_q30) {
     if (s_q30 == 0) return p;
     if (s_q30 == ONE_Q30) return q;
-    return (place_t){p.x + scale_q30(q.x - p.x, s_q30), p.y + scale_q30(q.y - p.y, s_q30),
-                     p.z + (int32_t)((((int64_t)q.z - p.z) * s_q30 + (1 << 29)) >> 30)};
+    return (place_t){p.x + scale_q30(q.x - p.x, s_q30), p.y + scale_q30(q.y - p.y, s_q30), edges_mix(p.z, q.z, s_q30)};
 }
 
 /* Where on p-q the line of sight is as steep as the chart allows; one end is steeper, the other is not. */
@@ -165,28 +165,87 @@ static int take_steep(edges_t *e, pencil_t at0, pencil_t at1, int32_t s0, int32_
     return err;
 }
 
+/* Where a value that goes from v0 to v1 is zero. */
+static int32_t parting(int64_t v0, int64_t v1) {
+    const uint64_t n = v0 < 0 ? 0 - (uint64_t)v0 : (uint64_t)v0, m = v1 < 0 ? 0 - (uint64_t)v1 : (uint64_t)v1;
+    return (int32_t)pencil_fraction(n, n + m);
+}
+
+/* A part of an edge in one sector: its ends in space, in the chart, and as fractions of the edge. */
+typedef struct piece {
+    int sector;
+    place_t end[2];
+    pencil_t at[2];
+    int32_t s[2];
+} piece_t;
+
+/* Clips a part that is a line of the chart. */
+static int clip_straight(edges_t *e, const piece_t *p) {
+    const bool by_x = p->sector & 1;
+    e->edge.start_q30 = p->s[0];
+    e->edge.way_q30 = p->s[1] - p->s[0];
+    e->edge.g0 = size32(by_x ? p->end[1].x : p->end[1].y);
+    e->edge.g1 = size32(by_x ? p->end[0].x : p->end[0].y);
+    return clip_line(e, p->at[0], p->at[1]);
+}
+
+/* Cuts off the beginning of a part: up to the border `w` between two zones, at height(k) of the way. */
+static piece_t cut_at_border(const edges_t *e, piece_t *p, int k, int sign) {
+    const chart_t *c = &e->chart;
+    int64_t over[2];
+    for (int n = 0; n < 2; n++) {
+        const int32_t d = pencil_abs(p->sector & 1 ? p->end[n].x : p->end[n].y);
+        over[n] = p->end[n].z - sign * chart_zone_height(c, k, d);
+    }
+    const int32_t t = parting(over[0], over[1]);
+    piece_t head = *p;
+    head.end[1] = place_at(p->end[0], p->end[1], t);
+    head.s[1] = p->s[0] + scale_q30(p->s[1] - p->s[0], t);
+    chart_around(c, p->sector, head.end[1].x, head.end[1].y, head.end[1].z, &head.at[1]);
+    head.at[1].w = sign * chart_zone_border[k];
+    p->end[0] = head.end[1];
+    p->s[0] = head.s[1];
+    p->at[0] = head.at[1];
+    return head;
+}
+
+/* Clips a part that has coordinates at both ends, zone by zone. */
+static int clip_zones(edges_t *e, piece_t p) {
+    const int rise = p.at[1].w < p.at[0].w ? -1 : 1;
+    for (int m = 1 - CHART_ZONES;
+         m <= CHART_ZONES - 1 && !chart_in_one_zone(pencil_min(p.at[0].w, p.at[1].w), pencil_max(p.at[0].w, p.at[1].w));
+         m++) {
+        const int number = rise * m; /* borders are numbered ..., -2, -1, 1, 2, ... */
+        if (number == 0) continue;
+        const int sign = number < 0 ? -1 : 1, k = number * sign - 1;
+        const int32_t w = sign * chart_zone_border[k];
+        if (rise > 0 ? w <= p.at[0].w || w >= p.at[1].w : w >= p.at[0].w || w <= p.at[1].w) continue;
+        const piece_t head = cut_at_border(e, &p, k, sign);
+        int err = clip_straight(e, &head);
+        if (err != 0) return err;
+    }
+    return clip_straight(e, &p);
+}
+
 /* Clips the part a-b of an edge, [s0, s1] of its way, which lies in one sector and on one side of the eye's level if
  * it is steep at both ends. */
 static int clip_piece(edges_t *e, int sector, place_t a, place_t b, int32_t s0, int32_t s1) {
-    pencil_t at0, at1, limit;
-    const bool in0 = chart_around(&e->chart, sector, a.x, a.y, a.z, &at0);
-    const bool in1 = chart_around(&e->chart, sector, b.x, b.y, b.z, &at1);
-    if (!in0 && !in1) return take_steep(e, at0, at1, s0, s1);
+    piece_t p = {.sector = sector, .end = {a, b}, .s = {s0, s1}};
+    const bool in0 = chart_around(&e->chart, sector, a.x, a.y, a.z, &p.at[0]);
+    const bool in1 = chart_around(&e->chart, sector, b.x, b.y, b.z, &p.at[1]);
+    if (!in0 && !in1) return take_steep(e, p.at[0], p.at[1], s0, s1);
     if (in0 != in1) {
-        int32_t t = steep_limit(e, sector, a, b, in1), s = s0 + scale_q30(s1 - s0, t);
-        place_t c = place_at(a, b, t);
+        const int32_t t = steep_limit(e, sector, a, b, in1), s = s0 + scale_q30(s1 - s0, t);
+        const place_t c = place_at(a, b, t);
+        pencil_t limit;
         chart_around(&e->chart, sector, c.x, c.y, c.z, &limit);
-        int err = in1 ? take_steep(e, at0, limit, s0, s) : take_steep(e, limit, at1, s, s1);
+        int err = in1 ? take_steep(e, p.at[0], limit, s0, s) : take_steep(e, limit, p.at[1], s, s1);
         if (err != 0) return err;
-        *(in1 ? &a : &b) = c;
-        *(in1 ? &at0 : &at1) = limit;
-        *(in1 ? &s0 : &s1) = s;
+        p.end[in1 ? 0 : 1] = c;
+        p.at[in1 ? 0 : 1] = limit;
+        p.s[in1 ? 0 : 1] = s;
     }
-    e->edge.start_q30 = s0;
-    e->edge.way_q30 = s1 - s0;
-    e->edge.g0 = size32(sector & 1 ? b.x : b.y);
-    e->edge.g1 = size32(sector & 1 ? a.x : a.y);
-    return clip_line(e, at0, at1);
+    return clip_zones(e, p);
 }
 
 /* Clips the part a-b of an edge, [s0, s1] of its way, which lies in one sector. */
@@ -194,18 +253,17 @@ static int clip_in_sector(edges_t *e, place_t a, place_t b, int32_t s0, int32_t 
     const place_t m = place_at(a, b, ONE_Q30 / 2);
     const int sector = chart_sector(m.x, m.y);
     if ((a.z < 0) == (b.z < 0)) return clip_piece(e, sector, a, b, s0, s1);
-    const uint32_t up = size32(a.z), down = size32(b.z);
-    const int32_t t = (int32_t)pencil_fraction(up, (uint64_t)up + down), s = s0 + scale_q30(s1 - s0, t);
+    const int32_t t = parting(a.z, b.z), s = s0 + scale_q30(s1 - s0, t);
     place_t level = place_at(a, b, t);
     level.z = 0;
     int err = clip_piece(e, sector, a, level, s0, s);
     return err != 0 ? err : clip_piece(e, sector, level, b, s, s1);
 }
 
-/* x + (y - x) * num / den to nearest, 0 <= num <= den < 2^32, |x|, |y| < 2^31. */
-static int32_t between(int32_t x, int32_t y, int64_t num, int64_t den) {
-    int64_t n = ((int64_t)y - x) / 2 * num;
-    return x + 2 * (int32_t)(n / den);
+/* x + (y - x) * num / den, 0 <= num <= den < 2^32, |x|, |y| < 2^60. */
+static int64_t between(int64_t x, int64_t y, int64_t num, int64_t den) {
+    const int64_t d = y - x;
+    return x + d / den * num + d % den * num / den;
 }
 
 /* An edge of CHART_AROUND that is not one line of the chart: cut at the diagonals, or right below the eye. */
@@ -231,7 +289,7 @@ static int clip_around(edges_t *e, place_t p, place_t q) {
 /* `across` is the edge's constant distance from the eye in CHART_AROUND: an edge that is several lines there is
  * vertical only if it passes under the eye. */
 static bool is_vertical(const edges_t *e, pencil_t p0, pencil_t p1, int32_t across) {
-    if (e->chart.kind == CHART_AROUND && !edges_in_one_sector(p0, p1)) return across == 0;
+    if (e->chart.kind == CHART_AROUND && !edges_is_straight(p0, p1)) return across == 0;
     return envelope_vertical(p0, p1, e->chart.narrow);
 }
 
@@ -253,7 +311,7 @@ int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run) {
         e->edge.g0 = c[i].r;
         e->edge.g1 = c[i + 1].r;
     } else if (e->chart.kind == CHART_AROUND) {
-        if (!edges_in_one_sector(p0, p1)) {
+        if (!edges_is_straight(p0, p1)) {
             return clip_around(e, (place_t){c[i].p, line->dy, line->z[i]},
                                (place_t){c[i + 1].p, line->dy, line->z[i + 1]});
         }
@@ -275,7 +333,7 @@ int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next,
         e->edge.g0 = line->r;
         e->edge.g1 = next->r;
     } else if (e->chart.kind == CHART_AROUND) {
-        if (!edges_in_one_sector(p0, p1)) {
+        if (!edges_is_straight(p0, p1)) {
             return clip_around(e, (place_t){c[i].p, line->dy, line->z[i]}, (place_t){c[i].p, next->dy, next->z[i]});
         }
         if (!(chart_sector_at(pencil_min(p0.a, p1.a)) & 1)) {

@@ -8,7 +8,7 @@
 #include "hidden/horizons.h"
 #include "hidden/runs.h"
 #include "hidden/shade.h"
-#include "view/chart.h"
+#include "view/chart_around.h"
 
 /* The edge being clipped: where its intervals go. End 0 has the smaller index. */
 typedef struct edges_edge {
@@ -60,11 +60,19 @@ int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next,
 bool edges_row_is_vertical(const edges_t *e, const chart_line_t *line, int32_t i);
 bool edges_column_is_vertical(const edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i);
 
-/* CHART_AROUND: have both points coordinates, in one sector? Then a line between them is a line of the chart. */
-static inline bool edges_in_one_sector(pencil_t p, pencil_t q) {
+/* CHART_AROUND: have both points coordinates, in one sector and one zone? Then a line between them is a line of the
+ * chart. */
+static inline bool edges_is_straight(pencil_t p, pencil_t q) {
     if (p.a == CHART_NONE || q.a == CHART_NONE) return false;
-    int32_t lo = p.a < q.a ? p.a : q.a, hi = p.a < q.a ? q.a : p.a;
-    return lo == hi || lo >> CHART_SECTOR_BITS == (hi - 1) >> CHART_SECTOR_BITS;
+    const int32_t lo = pencil_min(p.a, q.a), hi = pencil_max(p.a, q.a);
+    return (lo == hi || lo >> CHART_SECTOR_BITS == (hi - 1) >> CHART_SECTOR_BITS) &&
+           chart_in_one_zone(pencil_min(p.w, q.w), pencil_max(p.w, q.w));
+}
+
+/* x + (y - x) * part / 2^30, |x|, |y| < 2^60: in two halves, so that each product fits. */
+static inline int64_t edges_mix(int64_t x, int64_t y, int32_t part_q30) {
+    const int64_t d = y - x;
+    return x + (d >> 30) * part_q30 + (((d & (INK_ONE - 1)) * part_q30) >> 30);
 }
 
 /* Adds a whole visible edge that the horizons know already. */

@@ -97,6 +97,14 @@ int32_t envelope_fraction_at(pencil_t p, pencil_t q, pencil_t x) {
     return (int32_t)pencil_fraction((uint64_t)part, (uint64_t)whole);
 }
 
+/* A crossing x that rounding has put beside or onto the end of the edge: the end itself; but a steep edge may reach it
+ * within half a unit of a and yet far away from its end. */
+static pencil_t beside(pencil_t end, pencil_t x, int32_t w0, int32_t w1) {
+    const int32_t w = pencil_max(pencil_min(x.w, pencil_max(w0, w1)), pencil_min(w0, w1));
+    if (pencil_abs(w - end.w) > ENVELOPE_NOISE) end.w = w;
+    return end;
+}
+
 /* The crossing of the edge p-q with the piece v-w, rounded, inside both ranges of a. If the signs that called for
  * it differ only by the dead zone there is none: the edge then emerges at v, or goes under at w, itself. */
 pencil_t envelope_crossing(pencil_t p, pencil_t q, pencil_t v, pencil_t w, bool emerges, envelope_count_t *count) {
@@ -110,8 +118,8 @@ pencil_t envelope_crossing(pencil_t p, pencil_t q, pencil_t v, pencil_t w, bool 
         t = (int32_t)pencil_fraction(nv >> 1, (nv >> 1) + (nw >> 1));
     }
     pencil_t x = {along(v.a, w.a - v.a, t), along(v.w, w.w - v.w, t)};
-    if (x.a <= p.a) return p;
-    if (x.a >= q.a) return q;
+    if (x.a <= p.a) return beside(p, x, p.w, q.w);
+    if (x.a >= q.a) return beside(q, x, p.w, q.w);
     return x;
 }
 
@@ -135,13 +143,20 @@ static inline int finish(clip_t *c, int32_t at_q30, envelope_take_t take, void *
     return take(ctx, (envelope_part_t){c->from_q30, at_q30, c->first});
 }
 
+/* Is the horizon's vertex x, at the very abscissa of the edge's end, below that by more than the dead zone of a steep
+ * edge lets show? The piece from x to `other` must be flat enough for its ordinate to mean something. */
+static bool drops_from(pencil_t end, pencil_t x, pencil_t other) {
+    const int64_t drop = (int64_t)end.w - x.w, run = pencil_abs(other.a - x.a), rise = pencil_abs(other.w - x.w);
+    return drop > 2 * ENVELOPE_NOISE && x.w != ENVELOPE_FLOOR && (drop - ENVELOPE_NOISE) * run > rise * ENVELOPE_NOISE;
+}
+
 int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, void *ctx, envelope_count_t *count) {
     clip_t c = {.h = h, .p = p, .q = q};
     envelope_seek(h, p.a);
     int err = room(h);
     if (err != 0) return err;
     pencil_t v = h->l[-1]; /* start of the current piece; v.a <= the current abscissa */
-    if (v.a == p.a ? envelope_below(p, q, v, count) : envelope_above(v, *h->r, p, count)) {
+    if (v.a == p.a ? envelope_below(p, q, v, count) || drops_from(p, v, *h->r) : envelope_above(v, *h->r, p, count)) {
         if (v.a < p.a) push(h, p.a, pencil_ordinate(v, *h->r, p.a));
         push(h, p.a, p.w);
         begin(&c, 0);
@@ -151,6 +166,7 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
         pencil_t w = *h->r;
         bool last = w.a > q.a;
         bool above = last ? envelope_above(v, w, q, count) : envelope_below(p, q, w, count);
+        if (!above && w.a == q.a) above = drops_from(q, w, v);
         if (above != c.visible) {
             if ((err = room(h)) != 0) return err;
             pencil_t x = envelope_crossing(p, q, v, w, !c.visible, count);

@@ -45,6 +45,14 @@ static enum facet_kind judge_corner(sweep_t *s, const corner_t *q) {
     return FACET_CUT;
 }
 
+/* CHART_AROUND: is it in one sector and one zone? */
+static bool is_straight(const corner_t *q) {
+    if (q->n.a == CHART_NONE || q->f.a == CHART_NONE) return false;
+    const int32_t low = pencil_min(pencil_min(q->n.w, q->f.w), pencil_min(q->l.w, q->r.w));
+    const int32_t high = pencil_max(pencil_max(q->n.w, q->f.w), pencil_max(q->l.w, q->r.w));
+    return edges_is_straight(q->l, q->r) && chart_in_one_zone(low, high);
+}
+
 /* Two of its edges are new, the column `out` and the row `far`. */
 static int corner_facet(sweep_t *s, int32_t i, int far, bool rightward) {
     edges_t *e = &s->edges;
@@ -58,7 +66,7 @@ static int corner_facet(sweep_t *s, int32_t i, int far, bool rightward) {
         q.r = r;
     }
     /* In CHART_AROUND an edge may bend at a diagonal, and in a plan nothing is hidden. */
-    const bool straight = e->chart.kind < CHART_AROUND || edges_in_one_sector(q.l, q.r);
+    const bool straight = e->chart.kind < CHART_AROUND || (e->chart.kind == CHART_AROUND && is_straight(&q));
     e->horizons.skip_upper = e->horizons.skip_lower = false;
     s->last = straight ? judge_corner(s, &q) : FACET_CUT;
     if (s->last == FACET_HIDDEN) {

@@ -4,6 +4,7 @@
 #include "hidden/envelope.h"
 
 #define ONE_Q30 (INT32_C(1) << 30)
+#define SIGHT_SHIFT 28 /* a height of 60 bits times a distance of 30 */
 
 static int sign(int64_t v) {
     return (v > 0) - (v < 0);
@@ -26,17 +27,18 @@ static shade_t between(const int64_t over[2], const int64_t sight[2]) {
 }
 
 /* What is less than noise apart touches. */
-static int64_t apart(int32_t v, int32_t w) {
-    const int64_t d = (int64_t)v - w;
-    return d > ENVELOPE_NOISE || d < -ENVELOPE_NOISE ? d : 0;
+static int64_t apart(int64_t v, int64_t w, int64_t noise) {
+    const int64_t d = v - w;
+    return d > noise || d < -noise ? d : 0;
 }
 
 shade_t shade_in_chart(const pencil_t k[2], const pencil_t m[2]) {
-    const int64_t over[2] = {apart(k[0].w, m[0].w), apart(k[1].w, m[1].w)};
-    return between(over, (const int64_t[2]){over[0], apart(k[1].w, m[0].w)});
+    const int64_t n = ENVELOPE_NOISE, over[2] = {apart(k[0].w, m[0].w, n), apart(k[1].w, m[1].w, n)};
+    return between(over, (const int64_t[2]){over[0], apart(k[1].w, m[0].w, n)});
 }
 
-shade_t shade_in_space(const int32_t k_z[2], const int32_t m_z[2], const int32_t d[2]) {
-    const int64_t over[2] = {apart(k_z[0], m_z[0]), apart(k_z[1], m_z[1])};
-    return between(over, (const int64_t[2]){over[0] * d[0], (int64_t)k_z[1] * d[0] - (int64_t)m_z[0] * d[1]});
+shade_t shade_in_space(const int64_t k_z[2], const int64_t m_z[2], const int32_t d[2], int64_t noise) {
+    const int64_t over[2] = {apart(k_z[0], m_z[0], noise), apart(k_z[1], m_z[1], noise)};
+    const int64_t far = k_z[1] >> SIGHT_SHIFT, near = m_z[0] >> SIGHT_SHIFT;
+    return between(over, (const int64_t[2]){(over[0] >> SIGHT_SHIFT) * d[0], far * d[0] - near * d[1]});
 }

@@ -20,8 +20,8 @@ typedef struct shade {
 /* Edge k and edge m as lines of one chart, [0] the near end. In fractions of the chart, from the near end. */
 shade_t shade_in_chart(const pencil_t k[2], const pencil_t m[2]);
 
-/* The same in space: heights relative to the eye, |z| < 2^30, and distances from the eye in plan, 0 <= d[0] < d[1] <
- * 2^30. In fractions of the edge, from the near end. */
-shade_t shade_in_space(const int32_t k_z[2], const int32_t m_z[2], const int32_t d[2]);
+/* The same in space: heights relative to the eye, |z| < 2^60, `noise` apart they touch; and distances from the eye in
+ * plan, 0 <= d[0] < d[1] < 2^30. In fractions of the edge, from the near end. */
+shade_t shade_in_space(const int64_t k_z[2], const int64_t m_z[2], const int32_t d[2], int64_t noise);
 
 #endif

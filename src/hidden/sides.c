@@ -19,7 +19,7 @@ static pencil_t at(const layer_t *l, corner_t c) {
 }
 
 /* CHART_AROUND: where a corner is, relative to the eye. */
-static int32_t z_at(const layer_t *l, corner_t c) {
+static int64_t z_at(const layer_t *l, corner_t c) {
     return l->line[c.line].z[c.i];
 }
 static int32_t x_at(const sweep_t *s, corner_t c) {
@@ -29,18 +29,30 @@ static int32_t y_at(const layer_t *l, corner_t c) {
     return l->line[c.line].dy;
 }
 
+/* CHART_AROUND: how far two layers' heights may be apart and yet be meant to be equal. */
+static int64_t noise_of(const sweep_t *s, const layer_t *l, const layer_t *m) {
+    int bits = 0; /* of a unit of height */
+    for (int k = 0; k < 2 && !s->edges.chart.tall; k++) {
+        const grid_t *g = k ? m->grid : l->grid;
+        const int unit = g->z_exp + s->edges.chart.z_bits;
+        if (unit > bits && num_cmp(g->z_min, g->z_max) != 0) bits = unit;
+    }
+    return (int64_t)ENVELOPE_NOISE << (bits > 40 ? 40 : bits);
+}
+
 bool side_is_vertical(const sweep_t *s, const layer_t *l, int32_t i, int side) {
     return side_is_column(side) ? edges_column_is_vertical(&s->edges, &l->line[0], &l->line[1], i + side / 2)
                                 : edges_row_is_vertical(&s->edges, &l->line[side / 2], i);
 }
 
 bool side_coincides(const sweep_t *s, const layer_t *l, const layer_t *m, int32_t i, int side) {
+    const bool around = s->edges.chart.kind == CHART_AROUND;
+    const int64_t noise = around ? noise_of(s, l, m) : ENVELOPE_NOISE;
     for (int end = 0; end < 2; end++) {
         const corner_t c = corner_of(i, side, end);
         if (l->line[c.line].hole[c.i] || m->line[c.line].hole[c.i]) return false;
-        const bool around = s->edges.chart.kind == CHART_AROUND;
-        const int64_t apart = around ? (int64_t)z_at(l, c) - z_at(m, c) : (int64_t)at(l, c).w - at(m, c).w;
-        if (apart > ENVELOPE_NOISE || apart < -ENVELOPE_NOISE) return false;
+        const int64_t apart = around ? z_at(l, c) - z_at(m, c) : (int64_t)at(l, c).w - at(m, c).w;
+        if (apart > noise || apart < -noise) return false;
     }
     return true;
 }
@@ -51,7 +63,9 @@ static shade_t turned(shade_t v, bool turn) {
 }
 
 static int32_t shade_around(const sweep_t *s, const layer_t *l, const layer_t *m, int32_t i, int side, shade_t out[2]) {
-    int32_t d[2], k_z[2], m_z[2];
+    int32_t d[2];
+    int64_t k_z[2], m_z[2];
+    const int64_t noise = noise_of(s, l, m);
     for (int end = 0; end < 2; end++) {
         const corner_t c = corner_of(i, side, end);
         d[end] = side_is_column(side) ? y_at(l, c) : x_at(s, c);
@@ -59,21 +73,21 @@ static int32_t shade_around(const sweep_t *s, const layer_t *l, const layer_t *m
         m_z[end] = z_at(m, c);
     }
     if (d[0] >= 0) {
-        out[0] = shade_in_space(k_z, m_z, d);
+        out[0] = shade_in_space(k_z, m_z, d, noise);
         return 1;
     }
     if (d[1] <= 0) {
-        const int32_t k_back[2] = {k_z[1], k_z[0]}, m_back[2] = {m_z[1], m_z[0]}, d_back[2] = {-d[1], -d[0]};
-        out[0] = turned(shade_in_space(k_back, m_back, d_back), true);
+        const int64_t k_back[2] = {k_z[1], k_z[0]}, m_back[2] = {m_z[1], m_z[0]};
+        const int32_t d_back[2] = {-d[1], -d[0]};
+        out[0] = turned(shade_in_space(k_back, m_back, d_back, noise), true);
         return 1;
     }
     /* It passes below the eye: two parts, each with its near end there. */
     const int32_t foot = (int32_t)pencil_fraction((uint32_t)-d[0], (uint64_t)((int64_t)d[1] - d[0]));
-    const int32_t k_foot = k_z[0] + (int32_t)((((int64_t)k_z[1] - k_z[0]) * foot) >> 30);
-    const int32_t m_foot = m_z[0] + (int32_t)((((int64_t)m_z[1] - m_z[0]) * foot) >> 30);
+    const int64_t k_foot = edges_mix(k_z[0], k_z[1], foot), m_foot = edges_mix(m_z[0], m_z[1], foot);
     for (int end = 0; end < 2; end++) {
-        const int32_t k_part[2] = {k_foot, k_z[end]}, m_part[2] = {m_foot, m_z[end]};
-        const shade_t v = shade_in_space(k_part, m_part, (const int32_t[2]){0, end ? d[1] : -d[0]});
+        const int64_t k_part[2] = {k_foot, k_z[end]}, m_part[2] = {m_foot, m_z[end]};
+        const shade_t v = shade_in_space(k_part, m_part, (const int32_t[2]){0, end ? d[1] : -d[0]}, noise);
         const int32_t way = end ? ONE_Q30 - foot : -foot;
         const int32_t from = foot + (int32_t)(((int64_t)way * v.from_q30) >> 30);
         const int32_t to = foot + (int32_t)(((int64_t)way * v.to_q30) >> 30);

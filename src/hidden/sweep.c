@@ -5,7 +5,7 @@
 
 /* Per column and layer: an open run, two rows of points; in CHART_AROUND two rows of heights; with gaps six flags. */
 #define LAYER_BYTES (sizeof(run_t) + 2 * sizeof(pencil_t))
-#define AROUND_BYTES (2 * sizeof(int32_t))
+#define AROUND_BYTES (2 * sizeof(int64_t))
 #define FLAGS 6
 
 /* Words for the facets of one cell: each cuts it at no more abscissae than it has lines' ends. */
@@ -41,7 +41,7 @@ static void lay_out(layer_t *l, lender_t *from, size_t nx, bool around, bool gap
     l->column_run = lend(from, nx * sizeof(run_t));
     for (int k = 0; k < 2; k++) {
         l->line[k].at = lend(from, nx * sizeof(pencil_t));
-        if (around) l->line[k].z = lend(from, nx * sizeof(int32_t));
+        if (around) l->line[k].z = lend(from, nx * sizeof(int64_t));
         if (gaps) {
             l->line[k].hole = lend(from, nx);
             l->row_done[k] = lend(from, nx);

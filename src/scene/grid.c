@@ -110,3 +110,16 @@ int32_t grid_row(grid_t *g, int32_t j, int32_t *zi, uint8_t *hole) {
 bool grid_height(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
     return height(g, i, j, zi);
 }
+
+bool grid_is_tall(const grid_t *g) {
+    const surface_t *s = g->src;
+    const num_t x = num_sub(s->x_of(s->ctx, g->nx - 1), s->x_of(s->ctx, 0));
+    const num_t y = num_sub(s->y_of(s->ctx, g->ny - 1), s->y_of(s->ctx, 0));
+    const num_t height = num_ldexp(num_sub(g->z_max, g->z_min), -4);
+    return num_cmp(height, x) > 0 || num_cmp(height, y) > 0;
+}
+
+bool grid_value(grid_t *g, int32_t i, int32_t j, num_t *z) {
+    *z = evaluate(g, i, j);
+    return !z->undef;
+}

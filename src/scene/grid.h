@@ -35,4 +35,10 @@ int32_t grid_row(grid_t *g, int32_t j, int32_t *zi, uint8_t *hole);
 /* One height; false at a hole. */
 bool grid_height(grid_t *g, int32_t i, int32_t j, int32_t *zi);
 
+/* Are the heights so far apart, more than 2^4 times as far as the points, that an eye close to some of them needs more
+ * than their 31 bits? */
+bool grid_is_tall(const grid_t *g);
+/* One height as it is, evaluated again; false at a hole. */
+bool grid_value(grid_t *g, int32_t i, int32_t j, num_t *z);
+
 #endif

@@ -1,5 +1,8 @@
 /* chart.c - choosing a chart's kind and scales once per scene, and charting rows. */
 #include "view/chart.h"
+
+#include "view/chart_around.h"
+
 #include <string.h>
 
 /* A single sector is used while directions differ by less than this slope: at its border a unit of a is then
@@ -8,7 +11,8 @@
 /* 2^-21 of the page, in units of a: where all directions of a chart are as fine as in its middle, and where not. */
 #define NARROW_EVEN 512
 #define NARROW_UNEVEN (NARROW_EVEN / (MAX_SLOPE * MAX_SLOPE))
-#define AROUND_W_BITS 12 /* CHART_AROUND: |w| up to 2^12 times (greatest height / greatest distance) */
+/* A single sector's w has one scale: slopes that differ by more than 2^MAX_STEEP take the zones of CHART_AROUND. */
+#define MAX_STEEP 9
 
 _Static_assert(30 - 7 >= 17 + 5, "at MAX_SLOPE 32 units are left to a quarter of a step on A4 (2^-17 of the page)");
 
@@ -83,40 +87,6 @@ static void init_parallel(chart_t *c, const num_t x[2], const num_t y[2], const 
     c->turn[1] = num_mul(climb, c->turn[1]); /* what a row needs */
 }
 
-/* 2^(31 + b) / d with b the number of bits of d, 32 bits; d > 0. */
-static uint32_t reciprocal(uint32_t d, int32_t *b) {
-    *b = 32 - __builtin_clz(d);
-    uint64_t r = ((uint64_t)1 << (31 + *b)) / d;
-    return r > UINT32_MAX ? UINT32_MAX : (uint32_t)r;
-}
-
-static void init_around(chart_t *c, const num_t x[2], const num_t y[2], const num_t z[2]) {
-    const num_t *e = c->cam->eye;
-    num_t far_x = max_num(num_abs(num_sub(x[0], e[0])), num_abs(num_sub(x[1], e[0])));
-    num_t far_y = max_num(num_abs(num_sub(y[0], e[1])), num_abs(num_sub(y[1], e[1])));
-    num_t far_z = max_num(num_abs(num_sub(z[0], e[2])), num_abs(num_sub(z[1], e[2])));
-    c->x_ref = e[0], c->y_ref = e[1], c->z_ref = e[2];
-    c->x_bits = plane_bits_below(far_x, 30);
-    c->y_bits = plane_bits_below(far_y, 30);
-    c->z_bits = plane_bits_below(far_z, 30);
-    for (int32_t i = 0; i < c->grid->nx; i++) {
-        chart_column_t *k = &c->column[i];
-        k->p = plane_fixed(num_sub(x_at(c, i), e[0]), c->x_bits);
-        if (k->p != 0) k->r = reciprocal((uint32_t)(k->p < 0 ? -k->p : k->p), &k->s);
-    }
-    /* w = dz / distance * 2^w_bits: as much as the nearest border allows, but never less than leaves 2^12 for the
-     * steepest slope. */
-    int32_t bits = 30 - AROUND_W_BITS;
-    num_t gap = num_from_i64(0);
-    if (c->side_x != 0) gap = num_ldexp(num_abs(num_sub(x[c->side_x > 0], e[0])), c->x_bits);
-    if (c->side_y != 0) gap = max_num(gap, num_ldexp(num_abs(num_sub(y[c->side_y > 0], e[1])), c->y_bits));
-    if (gap.m != 0) {
-        int32_t more = plane_bits_below(num_div(num_ldexp(far_z, c->z_bits), gap), 30);
-        if (more > bits) bits = more > 30 ? 30 : more;
-    }
-    c->w_shift = (int16_t)(31 - bits);
-}
-
 int8_t chart_seen(const chart_t *c, grid_t *g) {
     if (!c->cam->perspective) return 0;
     if (c->side_x != 0 || c->side_y != 0) return 0;
@@ -144,6 +114,20 @@ int8_t chart_seen(const chart_t *c, grid_t *g) {
 static bool is_remote(const num_t v[2], num_t eye_v) {
     num_t near = num_cmp(eye_v, v[0]) < 0 ? num_sub(v[0], eye_v) : num_sub(eye_v, v[1]);
     return num_cmp(near, num_ldexp(num_sub(v[1], v[0]), 1)) >= 0;
+}
+
+/* Is z, seen from beyond the range v, too steep for one scale of w? The scale is as fine as the greatest slope allows;
+ * how fine it must be depends on the least one. */
+static bool is_steep(const num_t z[2], const num_t v[2], const num_t eye_z, num_t eye_v) {
+    const bool before = num_cmp(eye_v, v[0]) < 0;
+    const num_t near = before ? num_sub(v[0], eye_v) : num_sub(eye_v, v[1]);
+    const num_t far = before ? num_sub(v[1], eye_v) : num_sub(eye_v, v[0]);
+    const num_t z0 = num_sub(z[0], eye_z), z1 = num_sub(z[1], eye_z);
+    const num_t most = num_div(max_num(num_abs(z0), num_abs(z1)), near);
+    num_t least = num_from_i64(1);
+    if (num_sign(z0) > 0) least = max_num(least, num_div(z0, far));
+    if (num_sign(z1) < 0) least = max_num(least, num_div(num_abs(z1), far));
+    return num_cmp(most, num_ldexp(least, MAX_STEEP)) > 0;
 }
 
 /* How many times as wide as its nearest distance a rectangle is seen, in units of its own sides. */
@@ -178,8 +162,8 @@ void chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam
     c->j0 = cell_of(src->y_of, src->ctx, g->ny, e[1], &c->side_y);
     c->narrow = NARROW_UNEVEN;
     num_t limit = num_from_i64(MAX_SLOPE), slope_x = limit, slope_y = limit;
-    if (c->side_y != 0) slope_y = slope_of(x, y, e[0], e[1]);
-    if (c->side_x != 0) slope_x = slope_of(y, x, e[1], e[0]);
+    if (c->side_y != 0 && !is_steep(z, y, e[2], e[1])) slope_y = slope_of(x, y, e[0], e[1]);
+    if (c->side_x != 0 && !is_steep(z, x, e[2], e[0])) slope_x = slope_of(y, x, e[1], e[0]);
     if (num_cmp(slope_y, limit) < 0 && num_cmp(slope_y, slope_x) <= 0) {
         c->kind = CHART_NORTH;
         c->sign = (int8_t)-c->side_y;
@@ -204,7 +188,7 @@ void chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam
         }
     } else {
         c->kind = CHART_AROUND;
-        init_around(c, x, y, z);
+        chart_around_init(c, grid, n, x, y, z);
     }
 }
 
@@ -254,60 +238,16 @@ static void row_east(const chart_t *c, const rise_t *rise, num_t y, chart_line_t
     }
 }
 
-/* a and w of a point of CHART_AROUND, seen in sector k: 0 south, 1 east, 2 north, 3 west. */
-static inline bool around(const chart_t *c, int sector, int32_t across, int32_t dz, uint32_t r, int32_t b,
-                          pencil_t *at) {
-    int64_t w = ((int64_t)dz * (int64_t)r) >> (c->w_shift + b);
-    int sh = 31 + b - (CHART_SECTOR_BITS - 1); /* rounded: a diagonal comes out exact */
-    int32_t a = (int32_t)(((int64_t)across * (int64_t)r + ((int64_t)1 << (sh - 1))) >> sh);
-    at->a = a + (2 * sector - 3) * (1 << (CHART_SECTOR_BITS - 1));
-    at->w = (int32_t)(w > PENCIL_LIMIT ? PENCIL_LIMIT : w < -PENCIL_LIMIT ? -PENCIL_LIMIT : w);
-    return at->w == w;
-}
-
-bool chart_around(const chart_t *c, int sector, int32_t dx, int32_t dy, int32_t dz, pencil_t *at) {
-    int32_t along = sector & 1 ? dx : dy, across = sector & 1 ? dy : dx;
-    if (sector == 0 || sector == 3) along = -along;
-    if (sector >= 2) across = -across;
-    at->a = CHART_NONE;
-    if (along <= 0) return false;
-    int32_t b;
-    uint32_t r = reciprocal((uint32_t)along, &b);
-    return around(c, sector, across, dz, r, b, at);
-}
-
-int chart_sector(int32_t dx, int32_t dy) {
-    int32_t ax = dx < 0 ? -dx : dx, ay = dy < 0 ? -dy : dy;
-    return ax > ay ? (dx > 0 ? 1 : 3) : (dy > 0 ? 2 : 0);
-}
-
-static void row_around(const chart_t *c, const rise_t *rise, num_t y, chart_line_t *line) {
-    const int32_t dy = plane_fixed(num_sub(y, c->y_ref), c->y_bits);
-    int32_t ay = dy < 0 ? -dy : dy, b = 0;
-    uint32_t r = ay == 0 ? 0 : reciprocal((uint32_t)ay, &b);
-    line->dy = dy;
-    for (int32_t i = 0; i < c->grid->nx; i++) {
-        const chart_column_t *k = &c->column[i];
-        int32_t dx = k->p, dz = raised(rise, line->at[i].w, 0);
-        int sector = chart_sector(dx, dy);
-        line->z[i] = dz;
-        bool shown = false;
-        if (sector & 1) {
-            shown = around(c, sector, sector == 3 ? -dy : dy, dz, k->r, k->s, &line->at[i]);
-        } else if (ay != 0) {
-            shown = around(c, sector, sector == 2 ? -dx : dx, dz, r, b, &line->at[i]);
-        }
-        /* The cut's two sides have different a: what lies on it takes the careful way of split edges. */
-        if (!shown || (dx == dy && dx < 0)) line->at[i].a = CHART_NONE;
-    }
-}
-
 void chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line) {
     const num_t y = y_at(c, j);
     const int32_t nx = c->grid->nx;
     const bool plane = c->kind == CHART_NORTH || c->kind == CHART_EAST;
-    const rise_t rise = rise_of(c, g, plane ? c->plane.z_ref : c->z_ref);
     line->j = j;
+    if (c->kind == CHART_AROUND) {
+        chart_around_row(c, g, j, y, line);
+        return;
+    }
+    const rise_t rise = rise_of(c, g, plane ? c->plane.z_ref : c->z_ref);
     /* The heights come packed into the upper end of the row's points and are spread out from the front. */
     int32_t *zi = (int32_t *)(void *)line->at + nx;
     grid_row(g, j, zi, line->hole);
@@ -326,7 +266,6 @@ void chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line) {
         row_east(c, &rise, y, line);
         break;
     case CHART_AROUND:
-        row_around(c, &rise, y, line);
         break;
     }
 }

@@ -11,9 +11,9 @@
  *                    grid, on its border or very close to it.
  *
  * Scales are chosen for the scene, relative to the sight line through its middle: see plane.h.
- * In CHART_AROUND w has no bound below the eye. What is steeper than CHART_AROUND's limit (2^12 times the
- * slope to the border: three steps on the page around the point below the eye) has no pencil coordinates: chart_line.at
- * has a == CHART_NONE there, and nothing can stand in front of it.
+ * In CHART_AROUND w has no bound below the eye: its scale changes by zones (chart_around.h), and what is steeper than
+ * 2^18 (a fifteenth of a step on the page around the point below the eye) has no pencil coordinates: chart_line.at has
+ * a == CHART_NONE there, and nothing can stand in front of it.
  *
  * Bit budget: numerators 32 bits signed, reciprocals 32 unsigned, products 63 and sign, their upper half is the result.
  * Error: 1 unit in a and in w; the scene fills at least a fourth of the 2^31 units.
@@ -42,22 +42,24 @@ typedef struct chart {
     enum chart_kind kind; /* CHART_VERTICAL: a parallel view straight down or up, nothing hides anything */
     grid_t *grid;         /* the first one: coordinates are common to all */
     const camera_t *cam;
-    int32_t i0, j0;            /* the eye's cell, clamped to the grid */
-    int8_t side_x, side_y;     /* -1, 1: the eye is before the first, beyond the last column (row); 0: neither */
-    int8_t sign;               /* of dy (CHART_NORTH) or dx (CHART_EAST) */
-    int32_t narrow;            /* what is less apart in a is less than a sixteenth of a step apart on A4 */
-    plane_t plane;             /* CHART_NORTH: u is x, v is y; CHART_EAST: u is y, v is x */
-    num_t x_ref, y_ref, z_ref; /* CHART_PARALLEL: the middle; CHART_AROUND: the eye */
-    num_t turn[2];             /* CHART_PARALLEL: what a row's y adds to a and w, negative */
-    int16_t x_bits, y_bits, z_bits, w_shift; /* scales of a's and w's numerators, and of w (CHART_AROUND) */
-    chart_column_t *column;                  /* nx, in lent memory */
+    int32_t i0, j0;                 /* the eye's cell, clamped to the grid */
+    int8_t side_x, side_y;          /* -1, 1: the eye is before the first, beyond the last column (row); 0: neither */
+    int8_t sign;                    /* of dy (CHART_NORTH) or dx (CHART_EAST) */
+    int32_t narrow;                 /* what is less apart in a is less than a sixteenth of a step apart on A4 */
+    plane_t plane;                  /* CHART_NORTH: u is x, v is y; CHART_EAST: u is y, v is x */
+    num_t x_ref, y_ref, z_ref;      /* CHART_PARALLEL: the middle; CHART_AROUND: the eye */
+    num_t turn[2];                  /* CHART_PARALLEL: what a row's y adds to a and w, negative */
+    int16_t x_bits, y_bits, z_bits; /* scales of a's and w's numerators */
+    int16_t z_shift;                /* CHART_AROUND: how many bits more heights have than distances */
+    bool tall;                      /* CHART_AROUND: heights are evaluated, 31 bits are not enough */
+    chart_column_t *column;         /* nx, in lent memory */
 } chart_t;
 
 /* One row of the grid in pencil coordinates. */
 typedef struct chart_line {
     int32_t j;
     pencil_t *at;  /* nx points */
-    int32_t *z;    /* nx heights relative to the eye (CHART_AROUND), in the scale of w's numerator */
+    int64_t *z;    /* nx heights relative to the eye (CHART_AROUND), less than 2^60, in the scale of w's numerator */
     uint8_t *hole; /* nx flags, or NULL when the grid has no holes */
     int32_t dy;    /* CHART_AROUND */
     uint32_t r;    /* CHART_NORTH: reciprocal of the row's distance */
@@ -85,7 +87,7 @@ static inline int chart_sector_at(int32_t a) {
 /* CHART_AROUND: a point, relative to the eye in the chart's scales, as `sector` sees it; the point is in that sector or
  * on its border. False if it has no coordinates there: too steep, then
  * at is the nearest that has, above or below; or exactly below the eye, then at->a is CHART_NONE. */
-bool chart_around(const chart_t *c, int sector, int32_t dx, int32_t dy, int32_t dz, pencil_t *at);
+bool chart_around(const chart_t *c, int sector, int32_t dx, int32_t dy, int64_t dz, pencil_t *at);
 
 /* The position in space, of a point that is `u` of the way from end 0 to end 1 in the chart, along an edge whose
  * ends have the reciprocal distances g0 and g1 (any common scale). Cost: one division; none if g0 == g1. */

@@ -32,8 +32,21 @@ static inline int64_t height_share(const page_map_t *m, int k, int32_t zi) {
     return (high + (low >> 32)) >> m->z_shift[k];
 }
 
+static page_h_t value_share(const page_map_t *m, num_t z) {
+    num_t v[3], dz = num_sub(z, m->origin[2]);
+    for (int k = 0; k < 3; k++) v[k] = num_mul(m->cam->m[k][2], dz);
+    return to_h(m, v);
+}
+
 static bool vertex_h(page_map_t *m, int32_t i, int32_t j, page_h_t *h) {
     int32_t zi;
+    if (m->tall) {
+        num_t z;
+        if (!grid_value(m->grid, i, j, &z)) return false;
+        page_h_t c = col_h(m, i), r = row_h(m, j), s = value_share(m, z);
+        *h = (page_h_t){c.x + r.x + s.x, c.y + r.y + s.y, c.e + r.e + s.e};
+        return true;
+    }
     if (!grid_height(m->grid, i, j, &zi)) return false;
     page_h_t c = col_h(m, i), r = row_h(m, j);
     h->x = c.x + r.x + height_share(m, 0, zi);
@@ -55,7 +68,7 @@ static bool lines_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, pag
 }
 
 int page_map_setup(page_map_t *m, grid_t *g, const camera_t *cam, void *memory) {
-    *m = (page_map_t){.grid = g, .cam = cam};
+    *m = (page_map_t){.grid = g, .cam = cam, .tall = cam->perspective && grid_is_tall(g)};
     m->lines = (line_space_t){.ctx = m, .at = lines_at};
     const surface_t *src = g->src;
     const num_t lo[3] = {src->x_of(src->ctx, 0), src->y_of(src->ctx, 0), g->z_min};

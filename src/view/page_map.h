@@ -24,6 +24,7 @@ typedef struct page_map {
     line_space_t lines;           /* the result: INK_ROW and INK_COL lines of the grid */
     int64_t z_mul[3];             /* height's share: zi * z_mul / 2^(32 + z_shift) */
     uint8_t z_shift[3];
+    bool tall;       /* heights are evaluated: see grid_is_tall */
     page_h_t *table; /* nx columns, then ny rows; NULL: compute */
 } page_map_t;
 

@@ -102,6 +102,19 @@ static double valley(double x, double y) {
     return x * x + .2 * y * y;
 }
 
+static double growth(double x, double y) {
+    return exp(3 * x * y);
+}
+static double near_pole(double x, double y) {
+    return 1 / (x * y + 1e-5);
+}
+static double ninth(double x, double y) {
+    return (void)y, 1e3 * pow(x, 9);
+}
+static double pits(double x, double y) {
+    return 1e4 * floor(1.5 * sin(2 * x) + 1.5 * cos(2 * y));
+}
+
 typedef struct hard_case {
     const char *name;
     height_fn *f;
@@ -191,6 +204,12 @@ static const hard_case_t list[] = {
     {"huge range", huge_range, 20, 20, {6, 8, 3e12, 1}, 0, 0},
     {"tiny range", tiny_range, 20, 20, {6, 8, 3, 1}, 0, 0},
     {"ridges end-on", ridges, 33, 17, {0, 9, .4, 1}, 0, 0},
+    {"heights of 1e5 from the foot", growth, 25, 25, {2.1, 2.1, .5, 1}, 0, 0},
+    {"heights of 1e5 from inside, below", growth, 25, 25, {.1, .2, -3, 1}, 0, 0},
+    {"heights of 1e5 from inside, over a vertex", growth, 25, 25, {1, 1, 30, 1}, 0, 0},
+    {"heights of 5e5 from the foot", ninth, 25, 25, {2.1, 2.1, .5, 1}, 0, 0},
+    {"heights of 1e5 both ways, level", near_pole, 25, 25, {3, 3, 1, 1}, 0, 0},
+    {"cliffs of 1e4 from inside", pits, 25, 25, {.3, .2, 1, 1}, 0, 0},
     /* Singular, discontinuous and undefined. */
     {"1/(x*x+y*y)", pole, 20, 20, {6, 8, 30, 1}, 0, 0},
     {"1/(x*x+y*y) with its pole", pole, 21, 21, {6, 8, 30, 1}, 0, 0},

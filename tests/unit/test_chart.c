@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "view/chart.h"
+#include "view/chart_around.h"
 
 #define MOST 16
 
@@ -41,7 +41,7 @@ typedef struct charted {
     chart_t chart;
     chart_column_t column[MOST];
     pencil_t at[MOST][MOST];
-    int32_t dz[MOST][MOST];
+    int64_t dz[MOST][MOST];
 } charted_t;
 
 static void draw(charted_t *c, field_t *f, bool perspective, double ex, double ey, double ez) {
@@ -222,10 +222,44 @@ static void test_unproject(void **state) {
     assert_true(abs(chart_unproject(1 << 29, 3u << 30, 1u << 30) - (1 << 28)) < 200);
 }
 
+/* Zones: w grows with the slope, without jumps, as fine as promised. */
+static void test_zones(void **state) {
+    (void)state;
+    static charted_t c;
+    static field_t f;
+    f = (field_t){.nx = 3, .ny = 3, .x = {-1, 0, 1}, .y = {-1, 0, 1}};
+    f.z[0][0] = 1e6;
+    draw(&c, &f, true, .25, .25, 0);
+    assert_int_equal(c.chart.kind, CHART_AROUND);
+    pencil_t last = {0, -1}, at;
+    const double d = .5;
+    for (double slope = 1e-6; slope < 200000; slope *= 1.0003) {
+        const int64_t z = (int64_t)ldexp(slope * d, c.chart.z_bits);
+        assert_true(chart_around(&c.chart, 1, (int32_t)ldexp(d, c.chart.x_bits), 0, z, &at));
+        assert_true(at.w >= last.w && at.w <= PENCIL_LIMIT);
+        pencil_t step, below;
+        assert_true(chart_around(&c.chart, 1, (int32_t)ldexp(d, c.chart.x_bits), 0, z + z / 1000000, &step));
+        assert_true(slope < 1e-2 || step.w > at.w); /* a millionth of a slope shows */
+        assert_true(chart_around(&c.chart, 1, (int32_t)ldexp(d, c.chart.x_bits), 0, -z, &below));
+        assert_int_equal(below.w, -at.w);
+        last = at;
+    }
+    for (int k = 0; k < CHART_ZONES - 1; k++) {
+        const int32_t border = chart_zone_border[k], x = 1 << 28;
+        assert_true(chart_in_one_zone(k ? chart_zone_border[k - 1] : -border, border));
+        assert_true(chart_in_one_zone(-border, k ? -chart_zone_border[k - 1] : 0));
+        assert_false(chart_in_one_zone(border - 1, border + 1));
+        assert_false(chart_in_one_zone(-border - 1, -border + 1));
+        assert_false(chart_in_one_zone(-border - 1, border));
+        assert_true(chart_around(&c.chart, 1, x, 0, chart_zone_height(&c.chart, k, x), &at));
+        assert_true(abs(at.w - border) <= 1);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rays),       cmocka_unit_test(test_single),    cmocka_unit_test(test_parallel),
-        cmocka_unit_test(test_exact_ties), cmocka_unit_test(test_unproject),
+        cmocka_unit_test(test_zones),    cmocka_unit_test(test_rays),       cmocka_unit_test(test_single),
+        cmocka_unit_test(test_parallel), cmocka_unit_test(test_exact_ties), cmocka_unit_test(test_unproject),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

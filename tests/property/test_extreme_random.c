@@ -1,0 +1,200 @@
+/* Surfaces and viewpoints at the ends of what is possible, by families: the others' random scenes, pushed there.
+ *
+ * RIDGELINE_CASES multiplies the count, RIDGELINE_SEED tries one. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "tests/oracle/run_cases.h"
+
+#define FIRST 9000000000u
+#define FAMILIES 12
+
+static double log_uniform(uint64_t *rng, double lo, double hi) {
+    return lo * pow(hi / lo, scene_uniform(rng));
+}
+
+static double *height(const scene_t *s, int i, int j) {
+    return &s->ref.z[j * s->ref.nx + i];
+}
+
+/* Somewhere in the rectangle: a vertex, a place on a grid line, or any. */
+static void place(const scene_t *s, uint64_t *rng, double at[3]) {
+    const surface_ref_t *r = &s->ref;
+    int i = scene_below(rng, r->nx - 1), j = scene_below(rng, r->ny - 1), kind = scene_below(rng, 3);
+    double u = kind > 0 ? scene_uniform(rng) : 0, v = kind > 1 ? scene_uniform(rng) : 0;
+    at[0] = r->x[i] + u * (r->x[i + 1] - r->x[i]);
+    at[1] = r->y[j] + v * (r->y[j + 1] - r->y[j]);
+    at[2] = (1 - v) * ((1 - u) * *height(s, i, j) + u * *height(s, i + 1, j)) +
+            v * ((1 - u) * *height(s, i, j + 1) + u * *height(s, i + 1, j + 1));
+}
+
+/* Heights up to 10^(1..5) times the base, most of them low, as 1/(x*x+y*y) has them; the eye near the foot. */
+static void tall(scene_t *s, uint64_t *rng) {
+    const double most = log_uniform(rng, 10, 1e5), side = scene_below(rng, 2) ? 1 : -1;
+    for (int k = 0; k < s->ref.nx * s->ref.ny; k++) {
+        double z = log_uniform(rng, 1e-3, most);
+        s->ref.z[k] = scene_below(rng, 3) ? fmod(z, 1) : z * (scene_below(rng, 4) ? 1 : side);
+    }
+    if (scene_below(rng, 3) == 0) return;
+    double at[3];
+    place(s, rng, at);
+    s->ref.eye = (exact_eye_t){at[0], at[1], at[2] + (scene_uniform(rng) < .5 ? -1 : 1) * log_uniform(rng, .01, 3), 1};
+    if (scene_below(rng, 2)) s->ref.eye.y = 2 + log_uniform(rng, .02, 10);
+}
+
+/* 10^-3 over or under the surface. */
+static void skimming(scene_t *s, uint64_t *rng) {
+    double at[3];
+    place(s, rng, at);
+    s->ref.eye = (exact_eye_t){at[0], at[1], at[2] + (scene_below(rng, 2) ? -1e-3 : 1e-3), 1};
+}
+
+static void far_away(scene_t *s, uint64_t *rng) {
+    const double d = log_uniform(rng, 1e4, 1e6);
+    s->ref.eye = (exact_eye_t){d * (scene_uniform(rng) - .5), d, d * (scene_uniform(rng) - .3), 1};
+    if (scene_below(rng, 2)) s->ref.eye.x = s->ref.x[scene_below(rng, s->ref.nx)];
+}
+
+/* An eye that was over the border is over it again, however the stretched lines were rounded. */
+static void snap(scene_t *s) {
+    exact_eye_t *e = &s->ref.eye;
+    for (int k = 0; k < 2; k++) {
+        const double x = s->ref.x[k ? s->ref.nx - 1 : 0], y = s->ref.y[k ? s->ref.ny - 1 : 0];
+        if (e->h && fabs(e->x - x) < 1e-12) e->x = x;
+        if (e->h && fabs(e->y - y) < 1e-12) e->y = y;
+    }
+}
+
+/* Everything in other units. */
+static void rescale(scene_t *s, double kx, double ky, double kz) {
+    for (int i = 0; i < s->ref.nx; i++) s->ref.x[i] *= kx;
+    for (int j = 0; j < s->ref.ny; j++) s->ref.y[j] *= ky;
+    for (int k = 0; k < s->ref.nx * s->ref.ny; k++) s->ref.z[k] *= kz;
+    s->ref.eye.x *= kx, s->ref.eye.y *= ky, s->ref.eye.z *= kz;
+}
+
+/* Heights of few levels, so that much coincides, from directions that make more coincide. */
+static void lattice(scene_t *s, uint64_t *rng) {
+    static const double cell = 4.0 / 8;
+    const int levels = 1 + scene_below(rng, 4);
+    for (int i = 0; i < s->ref.nx; i++) s->ref.x[i] = cell * i;
+    for (int j = 0; j < s->ref.ny; j++) s->ref.y[j] = cell * j;
+    for (int k = 0; k < s->ref.nx * s->ref.ny; k++) s->ref.z[k] = cell * scene_below(rng, levels + 1);
+    double dx = scene_below(rng, 3) - 1, dy = scene_below(rng, 3) - 1;
+    s->ref.eye = (exact_eye_t){dx, dx == 0 && dy == 0 ? 1 : dy, scene_below(rng, 5) - 2, 0};
+    if (scene_below(rng, 2)) s->ref.eye.x *= 10, s->ref.eye.y *= 10, s->ref.eye.z *= cell, s->ref.eye.h = 1;
+}
+
+/* Differences of 10^-9 on a level that the eye may share. */
+static void billionths(scene_t *s, uint64_t *rng) {
+    for (int k = 0; k < s->ref.nx * s->ref.ny; k++) s->ref.z[k] = 1 + 1e-9 * scene_below(rng, 3);
+    if (scene_below(rng, 2)) s->ref.eye.z = s->ref.eye.h ? 1 : 0;
+}
+
+static void cliffs(scene_t *s, uint64_t *rng) {
+    for (int k = 0; k < s->ref.nx * s->ref.ny; k++) s->ref.z[k] = 1e4 * (scene_below(rng, 3) - 1);
+    if (s->ref.eye.h && scene_below(rng, 2)) s->ref.eye.z *= 1e4;
+}
+
+/* A hole that is a half-plane, a ring, a checkerboard, or spots. */
+static void holes(scene_t *s, uint64_t *rng) {
+    const int kind = scene_below(rng, 4), cut = scene_below(rng, 5);
+    const surface_ref_t *r = &s->ref;
+    if (r->hole == NULL) return;
+    for (int j = 0; j < r->ny; j++)
+        for (int i = 0; i < r->nx; i++) {
+            int d = (int)hypot(i - r->nx / 2, j - r->ny / 2);
+            r->hole[j * r->nx + i] = (unsigned char)(kind == 0   ? i + j < cut + 1
+                                                     : kind == 1 ? d < 1 || d > 1 + cut
+                                                     : kind == 2 ? ((i / 2 + j / 2) & 1) != 0
+                                                                 : scene_below(rng, 6) == 0);
+        }
+}
+
+static const char *const names[FAMILIES] = {"tall", "skimming", "far",  "cells 1e-4 to 1", "x1e9",  "x1e-9",
+                                            "wide", "lattice",  "1e-9", "cliffs",          "holes", "tall with holes"};
+
+static void push(scene_t *s, int family, uint64_t *rng) {
+    switch (family) {
+    case 0:
+    case 11:
+        tall(s, rng);
+        break;
+    case 1:
+        skimming(s, rng);
+        break;
+    case 2:
+        far_away(s, rng);
+        break;
+    case 3:
+        scene_stretch(s, 1e4, rng);
+        snap(s);
+        break;
+    case 4:
+        rescale(s, 1e9, 1e9, 1e9);
+        break;
+    case 5:
+        rescale(s, 1e-9, 1e-9, 1e-9);
+        break;
+    case 6:
+        rescale(s, log_uniform(rng, 1, 1e3), 1, log_uniform(rng, .1, 100));
+        break;
+    case 7:
+        lattice(s, rng);
+        break;
+    case 8:
+        billionths(s, rng);
+        break;
+    case 9:
+        cliffs(s, rng);
+        break;
+    default:
+        break;
+    }
+    if (family >= 10) holes(s, rng);
+    scene_aim(s);
+    strncat(s->what, ", ", sizeof s->what - strlen(s->what) - 1);
+    strncat(s->what, names[family], sizeof s->what - strlen(s->what) - 1);
+}
+
+static void test_families(void **state) {
+    (void)state;
+    uint64_t first = FIRST, count = cases_scaled(100) * FAMILIES;
+    int failed = 0;
+    cases_t c[FAMILIES];
+    for (int f = 0; f < FAMILIES; f++) c[f] = (cases_t){.name = names[f]};
+    if (cases_only_seed(&first)) {
+        count = 1;
+    } else {
+        first = cases_first(first, count);
+    }
+    for (uint64_t seed = first; seed < first + count && failed < 20; seed++) {
+        const int family = (int)(seed % FAMILIES);
+        scene_t s;
+        uint64_t rng = seed ^ 0xe7;
+        scene_random(&s, seed, 10, family >= 10);
+        push(&s, family, &rng);
+        if (!cases_surface(&c[family], &s, seed, failed < 3)) {
+            printf("#   repeat: RIDGELINE_SEED=%llu build/tests/property/test_extreme_random\n",
+                   (unsigned long long)seed);
+            failed++;
+        }
+        scene_free(&s);
+    }
+    for (int f = 0; f < FAMILIES; f++) {
+        if (c[f].run > 0) cases_summary(&c[f]);
+    }
+    assert_int_equal(failed, 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_families)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
