@@ -33,8 +33,10 @@ static void *lend(lender_t *l, size_t bytes) {
 
 size_t sweep_bytes(int32_t nx, int32_t layers, bool gaps) {
     const size_t column = LAYER_BYTES + AROUND_BYTES + (gaps ? FLAGS : 0), rounding = 8 * (5 + FLAGS);
-    return (size_t)layers * (sizeof(layer_t) + (size_t)nx * column + rounding) + (size_t)nx * sizeof(chart_column_t) +
-           16 + LOCAL_WORDS(layers) * sizeof(int32_t) + (layers > 1 ? SHADES(layers) * sizeof(shade_t) : 0);
+    const size_t outline = gaps ? BANDS_LINES * sizeof(bands_line_t) : 0;
+    return (size_t)layers * (sizeof(layer_t) + outline + (size_t)nx * column + rounding) +
+           (size_t)nx * sizeof(chart_column_t) + 16 + LOCAL_WORDS(layers) * sizeof(int32_t) +
+           (layers > 1 ? SHADES(layers) * sizeof(shade_t) : 0);
 }
 
 static void lay_out(layer_t *l, lender_t *from, size_t nx, bool around, bool gaps) {
@@ -50,6 +52,7 @@ static void lay_out(layer_t *l, lender_t *from, size_t nx, bool around, bool gap
     if (gaps) {
         l->column_done = lend(from, nx);
         l->kept_done = lend(from, nx);
+        l->outline = lend(from, BANDS_LINES * sizeof(bands_line_t));
     }
 }
 

@@ -27,7 +27,7 @@ typedef struct layer {
     /* Only with gaps: which edges have been clipped, of line[0] and line[1], of the columns between them, and of the
      * eye's row, for the way down. */
     uint8_t *row_done[2], *column_done, *kept_done;
-    bands_line_t outline[BANDS_LINES]; /* of the facet at hand */
+    bands_line_t *outline; /* of the facet at hand: BANDS_LINES */
     int32_t lines;
     bool present; /* it has a facet in the cell at hand */
 } layer_t;
