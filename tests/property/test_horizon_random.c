@@ -138,68 +138,7 @@ static void test_random(void **state) {
     assert_int_equal(failed, 0);
 }
 
-/* Two methods agree where both apply: in a parallel view along the columns the rows of a grid are profiles, and the
- * columns between them hide nothing that the rows do not. What the horizon kernel draws of them is what the perimeter
- * kernel draws. */
-static void test_agrees_with_perimeter(void **state) {
-    (void)state;
-    cases_t c = {.name = "rows as profiles"};
-    int failed = 0;
-    const uint64_t from = cases_first(8000000000, cases_scaled(300));
-    for (uint64_t seed = from; seed < from + cases_scaled(300) && failed < 10; seed++) {
-        scene_t s;
-        uint64_t rng = seed;
-        static exact_point_t point[MOST * MOST];
-        static int first[MOST + 1];
-        const double away[2] = {0, 1};
-        scene_init(&s, 2 + scene_below(&rng, 20), 2 + scene_below(&rng, 20));
-        scene_shape(&s, (enum scene_shape)scene_below(&rng, SHAPES), &rng);
-        s.ref.eye = (exact_eye_t){0, -1, span(&rng, -.5, 1), 0};
-        scene_aim(&s);
-        for (int j = 0; j < s.ref.ny; j++) {
-            first[j] = j * s.ref.nx;
-            for (int i = 0; i < s.ref.nx; i++) point[first[j] + i] = surface_ref_node(&s.ref, i, j);
-        }
-        first[s.ref.ny] = s.ref.ny * s.ref.nx;
-        horizon_ref_t ref = {.count = s.ref.ny, .first = first, .point = point, .eye = s.ref.eye};
-        run_drawing_t rows = {0}, both = {0};
-        hidden_stats_t stats;
-        judge_report_t r = {0};
-        int err = run_horizon(&ref, away, &rows, &stats);
-        c.facets += stats.facets;
-        if (!err) err = run_perimeter(&s, &both, &stats);
-        size_t n = 0;
-        for (size_t i = 0; i < both.n; i++) /* the columns */
-            if (both.piece[i].family == REF_COL) both.piece[n++] = both.piece[i];
-        judge_piece_t *all = malloc((n + rows.n + 1) * sizeof *all);
-        for (size_t i = 0; i < n; i++) all[i] = both.piece[i];
-        for (size_t i = 0; i < rows.n; i++) all[n + i] = rows.piece[i];
-        judge_subject_t what = judge_surface(&s.ref);
-        if (!err) err = judge_pieces(&what, &s.view, all, n + rows.n, &r);
-        c.run++;
-        judge_worst(&c.worst, &r);
-        if (err || !cases_good(&r)) {
-            failed++;
-            print_message(
-                "# FAILED: seed %llu, %dx%d, eye %.9g,%.9g,%.9g h %d: error %d, missing %g mm (%d %d), false %g mm "
-                "(%d %d), end %g steps\n",
-                (unsigned long long)seed, s.ref.nx, s.ref.ny, s.ref.eye.x, s.ref.eye.y, s.ref.eye.z, s.ref.eye.h, err,
-                r.missing_mm, r.missing.family, r.missing.line, r.false_mm, r.falsely.family, r.falsely.line,
-                r.end_steps);
-        }
-        free(all);
-        run_drawing_free(&rows);
-        run_drawing_free(&both);
-        scene_free(&s);
-    }
-    cases_summary(&c);
-    assert_int_equal(failed, 0);
-}
-
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),
-        cmocka_unit_test(test_agrees_with_perimeter),
-    };
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_random)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

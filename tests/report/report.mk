@@ -18,7 +18,8 @@ report: host $(REPORTS) ## write docs/report: speed against error, hard cases, t
 test-run test-cli: $(BUILDDIR)/report/report_error
 
 SOAK_MINUTES ?= 10
-SOAK_TESTS := $(addprefix $(BUILDDIR)/tests/property/,test_perimeter_random test_holes_random test_horizon_random)
+SOAK_TESTS := $(addprefix $(BUILDDIR)/tests/property/,test_metamorphic test_differential test_perimeter_random test_holes_random \
+    test_horizon_random)
 soak: $(SOAK_TESTS) ## random scenes and laws against the reference, new seeds every round, for SOAK_MINUTES (10)
 	$(Q)sh tests/report/soak.sh $(SOAK_MINUTES) $(SOAK_TESTS)
 .PHONY: soak
