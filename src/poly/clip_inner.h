@@ -1,0 +1,46 @@
+/* clip_inner.h - what the parts of the clipper share (clip.h is the interface). */
+#ifndef CLIP_INNER_H
+#define CLIP_INNER_H
+
+#include "poly/clip.h"
+
+/* A waiting edge, from left to right; l == r only says that something ends at l. w is what it adds to the winding
+ * numbers of subject and clip polygon on the way from below to above. */
+typedef struct clip_seg {
+    poly_point_t l, r;
+    int16_t w[2];
+    int32_t tag;
+} clip_seg_t;
+
+/* An edge of the graph. next is, for each result, the following edge of its contour: CLIP_NO_EDGE if this is no border
+ * of it, and once traced CLIP_TRACED - the contour's number. */
+typedef struct clip_edge {
+    clip_seg_t s;
+    int16_t above[2]; /* winding numbers above it */
+    int32_t under;    /* an edge that bounds the same face from below, at its left end; -1: none */
+    int32_t next[2];
+} clip_edge_t;
+
+#define CLIP_NO_EDGE (-1)
+#define CLIP_TRACED (-2)
+
+/* Is a place with these winding numbers in result k? */
+static inline bool clip_is_in(const clip_t *c, int k, const int16_t w[2]) {
+    unsigned s = c->fill == CLIP_EVEN_ODD ? w[0] & 1 : w[0] != 0, t = c->fill == CLIP_EVEN_ODD ? w[1] & 1 : w[1] != 0;
+    return (unsigned)c->result[k] >> (s + 2 * t) & 1;
+}
+
+static inline bool clip_is_in_above(const clip_t *c, int k, const clip_edge_t *e) {
+    return clip_is_in(c, k, e->above);
+}
+static inline bool clip_is_in_below(const clip_t *c, int k, const clip_edge_t *e) {
+    const int16_t w[2] = {(int16_t)(e->above[0] - e->s.w[0]), (int16_t)(e->above[1] - e->s.w[1])};
+    return clip_is_in(c, k, w);
+}
+
+/* One sweep over in, which is sorted by left ends: makes edge. Sets rounded, unsorted, full. */
+void clip_sweep(clip_t *c);
+/* Sorts segments by their left ends. */
+void clip_sort(clip_seg_t *s, int32_t n, clip_seg_t *spare);
+
+#endif

@@ -1,0 +1,248 @@
+/* The clipper on random pairs of polygons on small lattices, where nearly everything that can touch or coincide does:
+ * contours that cross themselves, share edges and vertices, holes that touch. Each pair is judged by slab areas
+ * (tests/oracle/slab_area.h) against what was asked for, and by laws that hold exactly: no two edges of a result cross
+ * or overlap, areas add up, a result clipped again stays itself, every hole lies in its outer contour.
+ *
+ * A result may differ from the exact one by what rounding crossings does: where no crossing was rounded by nothing,
+ * otherwise by at most half a unit a sweep along all borders.
+ * RIDGELINE_CASES multiplies the count, RIDGELINE_SEED tries one. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "poly/clip.h"
+#include "tests/oracle/run_cases.h"
+#include "tests/oracle/slab_area.h"
+
+#define MOST 4096
+
+typedef struct shape {
+    poly_vertex_t v[MOST];
+    int32_t end[MOST], outer[MOST];
+    clip_out_t out;
+    poly_t poly;
+} shape_t;
+
+static shape_t subject, clip, result[6], once_more;
+static uint64_t memory[1 << 17];
+
+static struct {
+    int64_t pairs, rounded, contours, holes, sweeps, exact;
+    int most_sweeps;
+    double worst; /* symmetric difference over length of all borders: mean displacement, units */
+} account;
+
+static void clear(shape_t *s) {
+    s->out = (clip_out_t){s->v, s->end, s->outer, 0, MOST, 0, MOST};
+    s->poly = (poly_t){s->v, s->end, 0};
+}
+
+static void close_contour(shape_t *s) {
+    s->end[s->out.contours++] = s->out.n;
+    s->poly.contours = s->out.contours;
+}
+
+static void random_shape(shape_t *s, uint64_t *rng, int lattice, int32_t scale, int jitter) {
+    int contours = 1 + scene_below(rng, 3);
+    clear(s);
+    for (int c = 0; c < contours; c++) {
+        bool box = scene_below(rng, 4) == 0;
+        int vertices = 3 + scene_below(rng, 6);
+        int x0 = scene_below(rng, lattice), y0 = scene_below(rng, lattice), x1 = 1 + scene_below(rng, lattice),
+            y1 = 1 + scene_below(rng, lattice);
+        for (int i = 0; i < (box ? 4 : vertices); i++) {
+            int x = box ? (i == 1 || i == 2 ? x1 : x0) : scene_below(rng, lattice + 1);
+            int y = box ? (i >= 2 ? y1 : y0) : scene_below(rng, lattice + 1);
+            poly_point_t at = {(x - lattice / 2) * scale, (y - lattice / 2) * scale};
+            if (jitter)
+                at.x += scene_below(rng, 2 * jitter + 1) - jitter, at.y += scene_below(rng, 2 * jitter + 1) - jitter;
+            s->v[s->out.n] = (poly_vertex_t){at, s->out.n};
+            s->out.n++;
+        }
+        close_contour(s);
+    }
+}
+
+static double length(const poly_t *p) {
+    double sum = 0;
+    for (int c = 0, first = 0; c < p->contours; first = p->end[c++])
+        for (int i = first; i < p->end[c]; i++) {
+            poly_point_t a = p->v[i].at, b = p->v[i + 1 < p->end[c] ? i + 1 : first].at;
+            sum += hypot((double)b.x - a.x, (double)b.y - a.y);
+        }
+    return sum;
+}
+
+static int run(const poly_t *s, const poly_t *c, enum clip_fill fill, enum clip_result a, enum clip_result b,
+               shape_t *to_a, shape_t *to_b, clip_t *work) {
+    const clip_job_t job = {*s, *c, fill, {a, b}};
+    int err = clip_run(work, &job, memory, sizeof memory);
+    shape_t *to[2] = {to_a, to_b};
+    for (int k = 0; k < 2 && !err; k++) {
+        if (!to[k]) continue;
+        clear(to[k]);
+        err = clip_trace(work, k, &to[k]->out);
+        to[k]->poly.contours = to[k]->out.contours;
+    }
+    return err;
+}
+
+/* Do collinear edges share more than a point? */
+static bool overlap(poly_point_t a, poly_point_t b, poly_point_t c, poly_point_t d) {
+    poly_point_t l1 = poly_before(a, b) ? a : b, r1 = poly_before(a, b) ? b : a;
+    poly_point_t l2 = poly_before(c, d) ? c : d, r2 = poly_before(c, d) ? d : c;
+    return poly_before(l1, r2) && poly_before(l2, r1);
+}
+
+/* Do no two edges cross or overlap, and has no edge length zero? */
+static bool is_planar(const poly_t *p) {
+    int n = poly_vertices(p);
+    poly_point_t *a = malloc((size_t)(n + 1) * sizeof *a), *b = malloc((size_t)(n + 1) * sizeof *b);
+    bool good = a && b;
+    for (int c = 0, first = 0; c < p->contours; first = p->end[c++])
+        for (int i = first; i < p->end[c]; i++) {
+            a[i] = p->v[i].at;
+            b[i] = p->v[i + 1 < p->end[c] ? i + 1 : first].at;
+        }
+    for (int i = 0; i < n && good; i++) {
+        if (poly_same(a[i], b[i])) good = false;
+        for (int j = 0; j < i && good; j++) {
+            int64_t o1 = poly_orient(a[i], b[i], a[j]), o2 = poly_orient(a[i], b[i], b[j]);
+            int64_t o3 = poly_orient(a[j], b[j], a[i]), o4 = poly_orient(a[j], b[j], b[i]);
+            if (((o1 > 0 && o2 < 0) || (o1 < 0 && o2 > 0)) && ((o3 > 0 && o4 < 0) || (o3 < 0 && o4 > 0))) good = false;
+            if (o1 == 0 && o2 == 0 && overlap(a[i], b[i], a[j], b[j])) good = false;
+        }
+    }
+    free(a);
+    free(b);
+    return good;
+}
+
+/* Outer contours turn left, holes right; a hole's area plus that of the others of its outer contour leaves some. */
+static bool are_holes_right(const shape_t *s) {
+    for (int k = 0; k < s->out.contours; k++) {
+        int first = k ? s->end[k - 1] : 0;
+        const int32_t end = s->end[k] - first;
+        poly_t one = {s->v + first, &end, 1};
+        int64_t area = poly_area2(&one);
+        account.contours++;
+        if (s->outer[k] < 0) {
+            if (area <= 0) return false;
+            continue;
+        }
+        account.holes++;
+        if (area >= 0 || s->outer[k] >= k || s->outer[s->outer[k]] >= 0) return false;
+        /* Every vertex of it is in or on the outer contour: no area of the hole is outside. */
+        int o = s->outer[k], from = o ? s->end[o - 1] : 0;
+        const int32_t length = s->end[o] - from;
+        poly_t outer = {s->v + from, &length, 1};
+        clip_t work;
+        shape_t *left = &once_more;
+        if (run(&one, &outer, CLIP_EVEN_ODD, CLIP_OUTSIDE, CLIP_NOTHING, left, NULL, &work)) return false;
+        if (left->out.contours) return false;
+    }
+    return true;
+}
+
+static bool differs(unsigned in, const void *ctx) {
+    unsigned table = *(const unsigned *)ctx;
+    return (table >> (in & 3) & 1) != (in >> 2 & 1);
+}
+
+static const enum clip_result TABLE[6] = {CLIP_INSIDE, CLIP_OUTSIDE, CLIP_REST, CLIP_UNION, CLIP_XOR, CLIP_SUBJECT};
+
+static const char *judge(enum clip_fill fill, bool exact) {
+    clip_t work;
+    int64_t area[6];
+    double borders = length(&subject.poly) + length(&clip.poly);
+    int sweeps = 0;
+    for (int k = 0; k < 6; k += 2)
+        if (run(&subject.poly, &clip.poly, fill, TABLE[k], TABLE[k + 1], &result[k], &result[k + 1], &work))
+            return "error";
+    sweeps = work.stats.sweeps;
+    for (int k = 0; k < 6; k++) {
+        if (!is_planar(&result[k].poly)) return "edges of a result cross";
+        if (!are_holes_right(&result[k])) return "a hole is in the wrong contour";
+        area[k] = poly_area2(&result[k].poly);
+    }
+    account.pairs++;
+    account.rounded += work.stats.crossings;
+    account.sweeps += sweeps;
+    if (sweeps > account.most_sweeps) account.most_sweeps = sweeps;
+    if (area[0] + area[1] != area[5]) return "inside and outside are not the subject";
+    if (area[1] + area[2] != area[4]) return "outside and rest are not the exclusive or";
+    if (area[0] + area[4] != area[3]) return "inside and exclusive or are not the union";
+    for (int k = 0; k < 6; k++) {
+        slab_scene_t s = {
+            {&subject.poly, &clip.poly, &result[k].poly}, {fill == CLIP_NONZERO, fill == CLIP_NONZERO, false}, 3};
+        unsigned table = TABLE[k];
+        double off = exact ? slab_area_exact(&s, differs, &table) : slab_area(&s, differs, &table);
+        if (exact) account.exact++;
+        if (off > 1e-9 * borders * borders && work.stats.crossings == 0) return "not the exact result without rounding";
+        if (off > .5 * sqrt(2) * borders * (sweeps - 1) + 1e-9 * borders * borders)
+            return "further off than rounding is";
+        if (borders > 0 && off / borders > account.worst) account.worst = off / borders;
+    }
+    /* A result is a planar graph already: clipped with itself or alone nothing is rounded and nothing changes. */
+    for (int k = 0; k < 6; k++) {
+        if (run(&result[k].poly, &result[k].poly, CLIP_EVEN_ODD, CLIP_INSIDE, CLIP_OUTSIDE, &once_more, NULL, &work))
+            return "error";
+        if (work.stats.sweeps != 1 || poly_area2(&once_more.poly) != area[k])
+            return "a result changes when clipped again";
+        if (once_more.out.n != result[k].out.n ||
+            memcmp(once_more.v, result[k].v, (size_t)once_more.out.n * sizeof once_more.v[0]))
+            return "a result's vertices change when clipped again";
+    }
+    return NULL;
+}
+
+static void print(const char *name, const shape_t *s) {
+    print_message("#   %s:", name);
+    for (int c = 0, first = 0; c < s->poly.contours; first = s->end[c++]) {
+        print_message(" (");
+        for (int i = first; i < s->end[c]; i++) print_message("%d,%d ", s->v[i].at.x, s->v[i].at.y);
+        print_message(")");
+    }
+    print_message("\n");
+}
+
+static void test_random(void **state) {
+    (void)state;
+    static const int32_t SCALES[] = {1, 1, 2, 3, 7, 100, 1000, 1 << 20, 70000000};
+    uint64_t first = cases_first(8000000000, cases_scaled(20000)), count = cases_scaled(20000);
+    int failed = 0;
+    if (cases_only_seed(&first)) count = 1;
+    for (uint64_t seed = first; seed < first + count && failed < 5; seed++) {
+        uint64_t rng = seed;
+        int lattice = 1 + scene_below(&rng, 12);
+        int32_t scale = SCALES[scene_below(&rng, sizeof SCALES / sizeof SCALES[0])];
+        int jitter = scale > 50 && scene_below(&rng, 3) == 0 ? 1 : 0;
+        enum clip_fill fill = scene_below(&rng, 4) == 0 ? CLIP_NONZERO : CLIP_EVEN_ODD;
+        random_shape(&subject, &rng, lattice, scale, jitter);
+        random_shape(&clip, &rng, lattice, scale, jitter);
+        const char *wrong = judge(fill, seed % 400 == 0);
+        if (!wrong) continue;
+        failed++;
+        print_message("# FAILED: RIDGELINE_SEED=%llu build/tests/property/test_clip_random: %s\n",
+                      (unsigned long long)seed, wrong);
+        print("subject", &subject);
+        print("clip", &clip);
+    }
+    print_message(
+        "# test_clip_random: %lld pairs, %lld contours of results, %lld holes; %lld crossings rounded, sweeps "
+        "%.2f on average, %d at most; mean displacement of borders at worst %.3f units; %lld areas in rationals\n",
+        (long long)account.pairs, (long long)account.contours, (long long)account.holes, (long long)account.rounded,
+        (double)account.sweeps / (double)account.pairs, account.most_sweeps, account.worst, (long long)account.exact);
+    assert_int_equal(failed, 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_random)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
