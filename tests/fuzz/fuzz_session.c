@@ -83,9 +83,9 @@ static int draw(void *ctx, const plot_t *plot) {
             check(item->curve.y_of(item->curve.ctx, 0), true);
         } else {
             const mesh_t *m = &item->mesh;
-            for (int32_t f = 0; f < m->nf; f++)
-                for (int v = 0; v < 3; v++)
-                    if (m->face[f][v] < 0 || m->face[f][v] >= m->nv) abort();
+            for (mesh_walk_t w = mesh_walk(m); mesh_next(&w);)
+                for (int32_t v = 0; v < w.count; v++)
+                    if (mesh_at(&w, v) < 0 || mesh_at(&w, v) >= m->nv) abort();
         }
     }
     return 0;
