@@ -7,6 +7,7 @@
  * gives. */
 #include "scene/grid.h"
 #include "error.h"
+#include "num/num_fast.h"
 
 #define GRID_HOLE INT32_MIN
 #define Z_BITS 30 /* |zi| <= 2^30: sums and differences of two heights fit int32_t */
@@ -37,7 +38,6 @@ static num_t evaluate(grid_t *g, int32_t i, int32_t j) {
 }
 
 static void coarsen(int32_t *cache, int64_t count, int32_t by) {
-    if (by > 31) by = 31;
     for (int64_t k = 0; k < count; k++) {
         if (cache[k] != GRID_HOLE) cache[k] >>= by;
     }
@@ -46,7 +46,7 @@ static void coarsen(int32_t *cache, int64_t count, int32_t by) {
 int grid_measure(grid_t *g, const surface_t *src, const num_t *lo, const num_t *hi, int32_t *cache,
                  void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx) {
     bool any = false;
-    int32_t exp = INT16_MIN;
+    int32_t exp = INT16_MIN, least = 0, most = 0; /* of the heights in units: that of the first is 0 */
     *g = (grid_t){.src = src, .nx = src->nx, .ny = src->ny, .cache = NULL, .has_lo = lo != NULL, .has_hi = hi != NULL};
     if (lo != NULL) g->z_lo = *lo;
     if (hi != NULL) g->z_hi = *hi;
@@ -62,18 +62,29 @@ int grid_measure(grid_t *g, const surface_t *src, const num_t *lo, const num_t *
             if (!any) {
                 any = true;
                 g->z_min = g->z_max = g->z_origin = z;
-            } else if (num_cmp(z, g->z_min) < 0) {
-                g->z_min = z;
-            } else if (num_cmp(z, g->z_max) > 0) {
-                g->z_max = z;
             }
-            num_t d = num_sub(z, g->z_origin);
+            num_t d = num_fast_sub(z, g->z_origin);
             int32_t need = exponent_of(d);
             if (need > exp) {
-                if (cache != NULL && exp != INT16_MIN) coarsen(cache, at, need - exp);
+                if (exp != INT16_MIN) {
+                    int32_t by = need - exp > 31 ? 31 : need - exp;
+                    least >>= by;
+                    most >>= by;
+                    if (cache != NULL) coarsen(cache, at, by);
+                }
                 exp = need;
             }
-            if (cache != NULL) cache[at] = units(d, exp);
+            int32_t zi = units(d, exp);
+            if (cache != NULL) cache[at] = zi;
+            /* Rounding down keeps the order, so only a height in the units of an extreme can be beyond it. */
+            if (zi <= least) {
+                if (num_fast_cmp(z, g->z_min) < 0) g->z_min = z;
+                least = zi;
+            }
+            if (zi >= most) {
+                if (num_fast_cmp(z, g->z_max) > 0) g->z_max = z;
+                most = zi;
+            }
         }
         if (tick != NULL) tick(tick_ctx, j + 1, g->ny);
     }
@@ -90,7 +101,7 @@ static bool height(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
     }
     num_t z = evaluate(g, i, j);
     if (z.undef) return false;
-    *zi = units(num_sub(z, g->z_origin), g->z_exp);
+    *zi = units(num_fast_sub(z, g->z_origin), g->z_exp);
     return true;
 }
 
