@@ -38,6 +38,7 @@ enum picture_share {
     PICTURE_SHARE_USUAL,  /* half, or a quarter of a large block, to hiding */
     PICTURE_SHARE_SMOOTH, /* hiding gets as much as most smooth surfaces need, if that is more */
     PICTURE_SHARE_HIDING, /* ordering gets the least */
+    PICTURE_SHARE_TURNS,  /* and surfaces have one horizon after the other in memory (hidden_job_t) */
     PICTURE_SHARES,
 };
 

@@ -83,7 +83,7 @@ int picture_profiles(picture_t *p, const pen_sink_t *pen) {
     err = picture_open(p, pen, p->profiles.count, points);
     if (err) return err;
 
-    const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p};
+    const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p, false};
     err = horizon_draw(&p->profiles, &p->camera, plot->settings->horizon_infinite, &job, &p->stats.hidden);
     p->stats.facets = p->stats.hidden.facets;
     p->stats.kernel_bytes = p->stats.hidden.bytes;

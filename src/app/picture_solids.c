@@ -64,7 +64,7 @@ int picture_solids(picture_t *p, const pen_sink_t *pen) {
     dash_t dash = {p->lines, p->cut.next};
     cut_t cut = {p->lines, dash_sink(&dash)};
     const ink_sink_t hidden = cut_sink(&cut);
-    const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p};
+    const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p, false};
     if (set->hidden == HIDDEN_NONE)
         err = wires_draw(&p->solid_map, &job, &p->stats.hidden);
     else

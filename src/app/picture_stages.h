@@ -27,5 +27,9 @@ int picture_close(picture_t *p);
 void picture_tell(picture_t *p, enum picture_stage stage, int32_t done, int32_t of);
 /* The kernel's share of the arena: half of a small one, a quarter of a large one. */
 void *picture_kernel_memory(picture_t *p, size_t *bytes);
+/* One horizon after the other, to save memory? */
+static inline bool picture_in_turn(const picture_t *p) {
+    return p->hooks && p->hooks->share == PICTURE_SHARE_TURNS;
+}
 
 #endif

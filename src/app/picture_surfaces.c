@@ -134,7 +134,7 @@ static int draw(picture_t *p, const pen_sink_t *pen) {
         err = draw_plain(p, isolines);
         for (int32_t k = 0; k < p->spaces; k++) p->stats.facets += (int64_t)(p->grid[k].nx - 1) * (p->grid[k].ny - 1);
     } else {
-        const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p};
+        const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p, picture_in_turn(p)};
         grid_t *grid[PICTURE_LINES_MAX];
         for (int32_t k = 0; k < p->spaces; k++) grid[k] = &p->grid[k];
         err = perimeter_draw_several(grid, p->spaces, &p->camera, &job, &p->stats.hidden);

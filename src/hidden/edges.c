@@ -66,7 +66,8 @@ static int take_part(void *ctx, envelope_part_t part) {
 static int take_unseen(edges_t *e, int32_t s0, int32_t s1) {
     e->edge.start_q30 = s0;
     e->edge.way_q30 = s1 - s0;
-    return e->outline_only ? 0 : take_part(e, (envelope_part_t){.to_q30 = ONE_Q30});
+    if (e->outline_only || e->horizons.upper_apart) return 0;
+    return take_part(e, (envelope_part_t){.to_q30 = ONE_Q30});
 }
 
 /* Is the facet at hand to the right of a vertical line? Then one of its sides begins there. */
@@ -109,11 +110,14 @@ static int take_filtered(void *ctx, envelope_part_t part) {
     return part.from_q30 < part.to_q30 ? take_part(e, part) : 0;
 }
 
-int edges_init(edges_t *e, const ink_sink_t *sink, bool gaps, int8_t seen, pencil_t *pool, size_t count) {
+int edges_init(edges_t *e, const ink_sink_t *sink, bool gaps, int8_t seen, int turn, pencil_t *pool, size_t count) {
     e->runs = (runs_t){.sink = sink};
     e->gaps = gaps;
     if (gaps) return bands_init(&e->bands, e->chart.narrow, (int32_t *)(void *)pool, 2 * count, take_open, e);
-    return horizons_init(&e->horizons, seen >= 0, seen <= 0, e->chart.narrow, pool, count, take_part, e);
+    bool upper = seen >= 0 && turn >= 0, lower = seen <= 0 && turn <= 0;
+    int err = horizons_init(&e->horizons, upper, lower, e->chart.narrow, pool, count, take_part, e);
+    e->horizons.upper_apart = turn < 0;
+    return err;
 }
 
 int edges_filter(edges_t *e, bands_t *filter, int32_t *pool, size_t words) {

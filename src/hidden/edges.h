@@ -43,9 +43,9 @@ typedef struct edges {
     edges_edge_t edge;
 } edges_t;
 
-/* Prepares the horizons (gaps: the bands; seen: see chart_seen) in pool[0..count), after the chart. Returns 0 or
- * ERR_FULL. */
-int edges_init(edges_t *e, const ink_sink_t *sink, bool gaps, int8_t seen, pencil_t *pool, size_t count);
+/* Prepares the horizons (gaps: the bands; seen: see chart_seen; turn: see sweep_init) in pool[0..count), after the
+ * chart. Returns 0 or ERR_FULL. */
+int edges_init(edges_t *e, const ink_sink_t *sink, bool gaps, int8_t seen, int turn, pencil_t *pool, size_t count);
 
 /* From now on, until e->filter is NULL again, edges are also clipped against filter, which starts empty. Returns 0 or
  * ERR_FULL. */

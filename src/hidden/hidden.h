@@ -6,6 +6,7 @@
 #define HIDDEN_H
 
 #include "hidden/ink.h"
+#include <stdbool.h>
 #include <stddef.h>
 
 /* The job's surroundings. All of it must stay valid until the kernel returns; nothing is kept afterwards. */
@@ -15,6 +16,8 @@ typedef struct hidden_job {
     const ink_sink_t *sink; /* takes the visible pieces; an error it returns ends the kernel */
     void (*tick)(void *ctx, int32_t done, int32_t of); /* once a row (profile), for progress; may be NULL */
     void *tick_ctx;
+    bool in_turn; /* perimeter: the upper horizon first, then the lower one in the same memory. The same ink in another
+                     order; twice the time, and the horizons take half */
 } hidden_job_t;
 
 /* What a drawing took. Filled in also when the kernel ends with an error. */

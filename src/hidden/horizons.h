@@ -10,7 +10,8 @@
 typedef struct horizons {
     envelope_t upper, lower;
     bool has_upper, has_lower;
-    int32_t narrow; /* see envelope_vertical */
+    bool upper_apart; /* the upper one belongs to another sweep, which takes what is first at its abscissae */
+    int32_t narrow;   /* see envelope_vertical */
     envelope_count_t count;
     envelope_take_t take; /* gets visible parts as fractions from p0 to p1, in no particular order */
     void *ctx;

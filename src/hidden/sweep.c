@@ -56,7 +56,8 @@ static void lay_out(layer_t *l, lender_t *from, size_t nx, bool around, bool gap
     }
 }
 
-int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job, bool gaps) {
+int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job, bool gaps,
+               int turn) {
     const size_t nx = (size_t)grid[0]->nx;
     lender_t from = {job->mem, job->bytes};
     edges_t *e = &s->edges;
@@ -79,7 +80,9 @@ int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam,
     if (from.mem == NULL) return ERR_FULL;
     s->fixed = job->bytes - from.left;
     e->several = n > 1;
-    return edges_init(e, job->sink, gaps, s->layer[0].seen, (pencil_t *)(void *)from.mem, from.left / sizeof(pencil_t));
+    s->turn = gaps || s->layer[0].seen ? 0 : turn;
+    return edges_init(e, job->sink, gaps, s->layer[0].seen, s->turn, (pencil_t *)(void *)from.mem,
+                      from.left / sizeof(pencil_t));
 }
 
 static void fill(uint8_t *flag, const uint8_t *from, int32_t n) {
@@ -142,8 +145,8 @@ static int flush_columns(sweep_t *s) {
 
 int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row) {
     const chart_t *c = &s->edges.chart;
-    const int32_t rows = c->grid->ny - 1;
-    int32_t done = 0;
+    const int32_t rows = c->grid->ny - 1, of = s->turn ? 2 * rows : rows;
+    int32_t done = s->turn < 0 ? rows : 0;
     int err = 0;
     for (int up = 1; up >= (c->j0 > 0 ? 0 : 1) && err == 0; up--) {
         load_lines(s, 0, c->j0);
@@ -154,7 +157,7 @@ int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row) {
             err = row(s, up, j == c->j0);
             if (err == 0) err = flush_rows(s);
             if (j == c->j0) keep_done(s, false);
-            if (err == 0 && job->tick != NULL) job->tick(job->tick_ctx, ++done, rows);
+            if (err == 0 && job->tick != NULL) job->tick(job->tick_ctx, ++done, of);
         }
     }
     return err != 0 ? err : flush_columns(s);

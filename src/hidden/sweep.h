@@ -41,6 +41,7 @@ typedef struct sweep {
     int32_t *local_pool;
     size_t local_words;
     shade_t *shade; /* what they hide of a vertical edge: two for each */
+    int turn;
     int64_t facets;
     size_t fixed; /* bytes of lent memory before the horizons */
 } sweep_t;
@@ -53,8 +54,10 @@ typedef int (*sweep_row_t)(sweep_t *s, int far, bool fresh);
 size_t sweep_bytes(int32_t nx, int32_t layers, bool gaps);
 
 /* Prepares a sweep over n surfaces on the same points (x, y) in job's memory; gaps: with a cover instead of horizons.
- * Returns 0 or ERR_FULL. */
-int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job, bool gaps);
+ * turn: 0 both horizons in one sweep; 1 the upper one now, -1 the lower one now, having had the upper one. A surface of
+ * which only one side is seen has but one horizon: s->turn is 0 then. Returns 0 or ERR_FULL. */
+int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job, bool gaps,
+               int turn);
 
 /* The whole sweep. Returns 0 or the first error of row or the sink. */
 int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row);

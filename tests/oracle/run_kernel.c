@@ -80,6 +80,8 @@ int run_several(const surface_ref_t *sheet, int n, run_drawing_t *d, hidden_stat
     return err;
 }
 
+bool run_in_turn;
+
 int run_perimeter_in(const scene_t *s, run_drawing_t *d, size_t bytes, hidden_stats_t *stats) {
     surface_ref_t ref = s->ref;
     surface_t surface = {ref.nx, ref.ny, &ref, x_of, y_of, z_of, NULL};
@@ -89,7 +91,7 @@ int run_perimeter_in(const scene_t *s, run_drawing_t *d, size_t bytes, hidden_st
     *stats = (hidden_stats_t){0};
     int err = grid_measure(&g, &surface, NULL, NULL, NULL, NULL, NULL);
     if (err) return err;
-    hidden_job_t job = {.mem = malloc(bytes ? bytes : 1), .bytes = bytes, .sink = &sink};
+    hidden_job_t job = {.mem = malloc(bytes ? bytes : 1), .bytes = bytes, .sink = &sink, .in_turn = run_in_turn};
     if (!job.mem) abort();
     err = perimeter_draw(&g, &cam, &job, stats);
     free(job.mem);
