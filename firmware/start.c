@@ -2,6 +2,8 @@
  * point can be found later. */
 #include "firmware/start.h"
 
+#include "hal/hal.h"
+
 extern uint32_t _data_load[], _data_start[], _data_end[], _bss_start[], _bss_end[], _stack_bottom[];
 
 #define PAINT 0xa5a5a5a5u
@@ -18,12 +20,9 @@ void start_reset(void) {
     for (;;) continue;
 }
 
-uint32_t start_stack_bytes(void) {
-    return (uint32_t)((uint8_t *)_stack_top - (uint8_t *)_stack_bottom);
-}
-
-uint32_t start_stack_used(void) {
+uint32_t hal_stack_used(uint32_t *room) {
     const uint32_t *at = _stack_bottom;
     while (at < _stack_top && *at == PAINT) at++;
+    *room = (uint32_t)((uint8_t *)_stack_top - (uint8_t *)_stack_bottom);
     return (uint32_t)((uint8_t *)_stack_top - (const uint8_t *)at);
 }

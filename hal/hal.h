@@ -74,6 +74,9 @@ int hal_store_write(int slot, const void *buf, size_t bytes);
 void hal_watchdog_start(uint32_t ms);
 void hal_watchdog_feed(void);
 
+/* Bytes of the stack that were ever in use, of *room; both 0 where that is not known. */
+uint32_t hal_stack_used(uint32_t *room);
+
 /* Upward, both in interrupt context and the only functions a port calls. stepgen_isr: the armed deadline. The body
  * lives in src/motion. console_input_isr may interrupt it, but it not that. */
 void stepgen_isr(void);

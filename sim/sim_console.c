@@ -165,6 +165,10 @@ bool sim_watchdog_bitten(void) {
 
 void hal_start(void) {}
 
+uint32_t hal_stack_used(uint32_t *room) {
+    return *room = 0;
+}
+
 const char *hal_board_name(void) {
     return "sim";
 }

@@ -180,6 +180,8 @@ static int memory(console_t *c) {
     tell("names' text", l->bodies_end + CONFIG_POOL - l->names_start, CONFIG_POOL);
     tell("definitions", c->keep.len, CONFIG_JOURNAL);
     tell("typed ahead", c->realtime.most, CONFIG_TYPED);
+    uint32_t room, stack = hal_stack_used(&room);
+    if (room) tell("stack", stack, room);
     tell("machine waited for the drawing:", c->stats.starved, 0);
     tell("late deadlines:", c->stats.late, 0);
     return 0;
