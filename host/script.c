@@ -11,6 +11,7 @@
 
 #include "error.h"
 #include "host/progress.h"
+#include "host/solid_file.h"
 
 enum { FILES_MAX = 16 };
 
@@ -51,6 +52,8 @@ static int port_open(void *ctx, const char *name) {
         if (n > 0 && (size_t)n < sizeof path) f = fopen(path, "rb");
     }
     if (!f) return ERR_FILE;
+    if (solid_file_is(name)) f = solid_file_open(f, name);
+    if (!f) return ERR_DATA;
     setvbuf(f, NULL, _IOFBF, 1 << 16);
     script.file[handle] = f;
     return handle;

@@ -102,9 +102,14 @@ static bool is_dropped(const drawing_t *d, int32_t edge) {
     return false;
 }
 
+/* Is it between faces of a smooth surface, and no outline? */
+static bool is_left_out(const drawing_t *d, const solid_edge_t *e) {
+    return e->twin < 0 && !shadows_is_outline(&d->shadows, e) && solid_is_smooth(d->map->solid, e);
+}
+
 static int draw_edge(drawing_t *d, int32_t edge) {
     const solid_edge_t *e = &d->map->solid->edge[edge];
-    if (e->first != edge) return 0;
+    if (e->first != edge || is_left_out(d, e)) return 0;
     int64_t t_q30[2];
     shadow_line_t *line = &d->line;
     if (!solid_map_edge(d->map, edge, line->end, t_q30)) return 0;

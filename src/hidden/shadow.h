@@ -65,6 +65,8 @@ int shadows_build(shadows_t *s, const solid_map_t *map, void *mem, size_t bytes)
 /* Does any face at the edge (one record of twins) look at the eye, or may both its sides be seen? Otherwise its own
  * object hides it. */
 bool shadows_is_candidate(const shadows_t *s, const solid_edge_t *edge);
+/* Does one of the edge's two faces look at the eye and the other not? */
+bool shadows_is_outline(const shadows_t *s, const solid_edge_t *edge);
 /* Is a part of the line in the shadow: parameters in space from *from to *to, 0 .. INK_ONE, *from < *to. */
 bool shadow_hides(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, int32_t *from, int32_t *to);
 

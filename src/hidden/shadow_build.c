@@ -79,6 +79,11 @@ bool shadows_is_candidate(const shadows_t *s, const solid_edge_t *edge) {
     return false;
 }
 
+bool shadows_is_outline(const shadows_t *s, const solid_edge_t *e) {
+    return e->face[0] >= 0 && e->face[1] >= 0 &&
+           (side_of(s, e->face[0]) == SHADOW_FRONT) != (side_of(s, e->face[1]) == SHADOW_FRONT);
+}
+
 /* Does the face, by itself, hide anything? */
 static bool is_part(const shadows_t *s, int32_t f) {
     const solid_face_t *face = &s->map->solid->face[f];
@@ -92,8 +97,7 @@ static bool is_whole(const shadows_t *s, int32_t object) {
 }
 
 static bool is_outline(const shadows_t *s, const solid_edge_t *e) {
-    return e->face[0] >= 0 && e->face[1] >= 0 && is_whole(s, s->map->solid->face[e->face[0]].object) &&
-           (side_of(s, e->face[0]) == SHADOW_FRONT) != (side_of(s, e->face[1]) == SHADOW_FRONT);
+    return shadows_is_outline(s, e) && is_whole(s, s->map->solid->face[e->face[0]].object);
 }
 
 typedef struct counts {

@@ -2,6 +2,7 @@
 #include "lang/plot_options.h"
 #include "lang/session_parts.h"
 
+#include "num/func.h"
 #include "scene/affine.h"
 
 #define INDEX_MAX 1000000000
@@ -141,13 +142,30 @@ int plot_options_data(session_t *s, lexer_t *lx, session_source_t *src) {
     }
 }
 
-int plot_options_moves(session_t *s, lexer_t *lx, affine_t *a) {
-    static const word_t words[] = {{"translate", 0}, {"rotate", 1}, {"scale", 2}, {NULL, 0}};
+static int crease(session_t *s, lexer_t *lx, int32_t *smooth_q30) {
+    lexer_t at = *lx;
+    num_t degrees;
+    int err = expr_number(&s->lang, lx, &degrees, &s->error);
+    if (err) return err;
+    if (num_sign(degrees) < 0 || num_cmp(degrees, num_from_i64(89)) > 0)
+        return session_fail(s, &at, ERR_VALUE, "crease must be between 0 and 89 degrees");
+    num_t cosine = func_sin_degrees(num_sub(num_from_i64(90), degrees));
+    *smooth_q30 = num_sign(degrees) ? (int32_t)num_to_fixed(cosine, 30, NULL) : 0;
+    return 0;
+}
+
+int plot_options_moves(session_t *s, lexer_t *lx, affine_t *a, int32_t *smooth_q30) {
+    static const word_t words[] = {{"translate", 0}, {"rotate", 1}, {"scale", 2}, {"crease", 3}, {NULL, 0}};
     static void (*const move[])(affine_t *, const num_t[3]) = {affine_translate, affine_rotate, affine_scale};
     for (int which; (which = words_find(words, lx)) >= 0;) {
         lexer_t word = *lx;
         lexer_next(lx);
         num_t by[3];
+        if (which == 3) {
+            int err = crease(s, lx, smooth_q30);
+            if (err) return err;
+            continue;
+        }
         for (int k = 0; k < 3; k++) {
             if (which == 2 && k == 1 && lx->tok.kind != ',') {
                 by[1] = by[2] = by[0];

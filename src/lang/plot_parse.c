@@ -56,6 +56,8 @@ static int try_out(session_t *s, const session_source_t *src) {
     return err;
 }
 
+#define FLAT_Q30 1073740189 /* cosine of a tenth of a degree */
+
 static bool ends_in(const char *name, int n, const char *suffix) {
     int m = (int)strlen(suffix);
     return n >= m && memcmp(name + n - m, suffix, (size_t)m) == 0;
@@ -71,6 +73,8 @@ static int data_name(session_t *s, lexer_t *lx, session_source_t *src) {
     static const char *const solid[] = {".obj", ".OBJ", ".stl", ".STL", ".off", ".OFF"};
     for (size_t k = 0; k < sizeof solid / sizeof solid[0]; k++) src->solid |= ends_in(name, n, solid[k]);
     src->kind = SOURCE_FILE;
+    /* An STL cuts flat faces into triangles: their diagonals are none of its edges. */
+    if (ends_in(name, n, ".stl") || ends_in(name, n, ".STL")) src->smooth_q30 = FLAT_Q30;
     if (strcmp(name, "-") == 0) {
         src->kind = SOURCE_INLINE;
     } else if (strcmp(name, "+") == 0 || strcmp(name, "++") == 0) {
@@ -93,9 +97,9 @@ static int moves(session_t *s, lexer_t *lx, session_source_t *src) {
     affine_t a;
     affine_identity(&a);
     lexer_t at = *lx;
-    int err = plot_options_moves(s, lx, &a);
+    int err = plot_options_moves(s, lx, &a, &src->smooth_q30);
     if (err || at.tok.start == lx->tok.start) return err;
-    if (!src->solid) return session_fail(s, &at, ERR_UNSUPPORTED, "only solids can be moved");
+    if (!src->solid) return session_fail(s, &at, ERR_UNSUPPORTED, "only solids can be moved or have a crease");
     src->moves = at.tok.start;
     return 0;
 }

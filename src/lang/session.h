@@ -77,6 +77,7 @@ typedef struct session_source {
     expr_t part[3]; /* of using */
     data_spec_t spec;
     int32_t first_grid, grids; /* of data */
+    int32_t smooth_q30;        /* cosine of `crease` (mesh.h) */
     uint32_t moves;            /* where `translate` and the like begin in the line of `name`, or 0 */
 } session_source_t;
 

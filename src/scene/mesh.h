@@ -22,10 +22,11 @@ enum mesh_kind {
 };
 
 typedef struct mesh {
-    int32_t nv;                  /* vertices */
-    int32_t words;               /* of elements */
-    int32_t faces, corners;      /* polygons, and their vertices in all */
-    int32_t segments;            /* of all polylines */
+    int32_t nv;             /* vertices */
+    int32_t words;          /* of elements */
+    int32_t faces, corners; /* polygons, and their vertices in all */
+    int32_t segments;       /* of all polylines */
+    int32_t smooth_q30;     /* cosine of `crease`: edges where faces meet at less are drawn only as outlines; 0: all */
     const packed_t (*vertex)[3]; /* x, y, z: unpack with packed_num() */
     const int32_t *top;          /* word k is top[-1 - k]; 0 <= index < nv */
 } mesh_t;

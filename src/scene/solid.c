@@ -86,20 +86,16 @@ static bool measure(solid_t *s, const mesh_t *const *mesh, int32_t n) {
     return lo[0] <= hi[0];
 }
 
-/* Half of the box becomes at most 2^(SOLID_BITS - 1), and more than half of that. A flat box takes the scale of the
- * largest side. */
+/* Half of the longest side becomes at most 2^(SOLID_BITS - 1), and more than half of that. */
 static int choose_scale(solid_t *s) {
-    int32_t least = INT32_MAX;
+    int32_t bits = INT32_MIN;
     for (int axis = 0; axis < 3; axis++) {
         num_t half = num_ldexp(num_sub(s->hi[axis], s->lo[axis]), -1);
         if (half.undef) return ERR_VALUE;
         s->origin[axis] = num_ldexp(num_add(s->lo[axis], s->hi[axis]), -1);
-        /* half < 2^(e + 63) */
-        s->shift[axis] = half.m == 0 ? INT32_MAX : SOLID_BITS - 1 - (half.e + 63);
-        if (s->shift[axis] < least) least = s->shift[axis];
+        if (half.m != 0 && half.e + 63 > bits) bits = half.e + 63; /* half < 2^(e + 63) */
     }
-    for (int axis = 0; axis < 3; axis++)
-        if (s->shift[axis] == INT32_MAX) s->shift[axis] = least == INT32_MAX ? 0 : least;
+    s->shift = bits == INT32_MIN ? 0 : SOLID_BITS - 1 - bits;
     return 0;
 }
 
@@ -128,7 +124,7 @@ static int32_t vertex_of(solid_build_t *b, const mesh_t *m, int32_t v) {
         solid_vertex_t at;
         for (int axis = 0; axis < 3; axis++) {
             num_t a = num_sub(packed_num(m->vertex[v][axis]), b->s->origin[axis]);
-            at.at[axis] = (int32_t)num_to_fixed(a, b->s->shift[axis], NULL);
+            at.at[axis] = (int32_t)num_to_fixed(a, b->s->shift, NULL);
         }
         b->map[v] = place_vertex(b, &at);
     }
@@ -144,7 +140,7 @@ static void add_face(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w) {
     }
     while (n > 1 && c[n - 1] == c[0]) n--;
     if (n < 3) return;
-    b->face[s->nf] = (solid_face_t){.corner = s->nc, .n = n};
+    b->face[s->nf] = (solid_face_t){.corner = s->nc, .n = n, .object = m->smooth_q30}; /* solid_join.c moves it */
     for (int32_t k = 0; k < n; k++) b->corner_face[s->nc + k] = s->nf;
     s->nc += n;
     s->nf++;

@@ -1,6 +1,6 @@
 /* solid.h - a scene of solids and wire frames: meshes put together on one lattice of integers.
  *
- * Vertices are integers, rounded once: axis by axis the scene's box is centred and scaled by a power of two to
+ * Vertices are integers, rounded once: the scene's box is centred and its longest side scaled by a power of two to
  * SOLID_BITS bits, so what lies in a plane x = const of the files lies in one here, and small decimals are exact.
  * Vertices that fall together are one vertex; an edge is there once for all faces of its object.
  *
@@ -51,7 +51,8 @@ enum solid_kind {
 
 typedef struct solid_object {
     int32_t faces;
-    uint8_t kind; /* enum solid_kind */
+    int32_t smooth_q30; /* of the mesh of its first face (mesh.h) */
+    uint8_t kind;       /* enum solid_kind */
 } solid_object_t;
 
 typedef struct solid {
@@ -62,8 +63,8 @@ typedef struct solid {
     const int32_t *corner; /* vertices */
     const solid_object_t *object;
     num_t lo[3], hi[3]; /* the box, in the files' coordinates */
-    num_t origin[3];    /* coordinate = origin + at * 2^-shift, axis by axis */
-    int32_t shift[3];
+    num_t origin[3];    /* coordinate = origin + at * 2^-shift */
+    int32_t shift;
     size_t bytes; /* of the lent memory that stay in use */
 } solid_t;
 
@@ -74,5 +75,8 @@ size_t solid_bytes(const mesh_t *const *mesh, int32_t n);
  * ERR_EMPTY if nothing is left; ERR_FULL; ERR_VALUE for coordinates beyond any use. Cost: linear but for hashing; about
  * 0.5 us a corner on a desktop. */
 int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, size_t bytes);
+
+/* Do the edge's two faces meet so flatly that `crease` leaves it to outlines? */
+bool solid_is_smooth(const solid_t *s, const solid_edge_t *e);
 
 #endif

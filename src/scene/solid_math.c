@@ -1,6 +1,8 @@
 /* solid_math.c - see solid_math.h. */
 #include "scene/solid_math.h"
 
+#include "num/ints.h"
+
 /* Fans of up to so many triangles cannot overflow whatever their polygon does. */
 #define SURE_CORNERS 16
 
@@ -47,4 +49,27 @@ bool solid_face_is_convex(const solid_t *s, int32_t face, const solid_normal_t *
         if (!agrees(normal, &fan)) return false;
     }
     return true;
+}
+
+/* The normal's direction in 30 bits. */
+static void shorten(solid_normal_t *n) {
+    uint64_t most = solid_abs(n->n[0]) | solid_abs(n->n[1]) | solid_abs(n->n[2]);
+    int shift = most ? 30 - (64 - ints_clz64(most)) : 0;
+    for (int k = 0; k < 3; k++) n->n[k] = shift < 0 ? n->n[k] >> -shift : n->n[k] * ((int64_t)1 << shift);
+}
+
+static int64_t product(const solid_normal_t *a, const solid_normal_t *b) {
+    return a->n[0] * b->n[0] + a->n[1] * b->n[1] + a->n[2] * b->n[2];
+}
+
+bool solid_is_smooth(const solid_t *s, const solid_edge_t *e) {
+    if (e->face[0] < 0 || e->face[1] < 0) return false;
+    int32_t least_q30 = s->object[s->face[e->face[0]].object].smooth_q30;
+    if (!least_q30) return false;
+    solid_normal_t a = solid_face_normal(s, e->face[0]), b = solid_face_normal(s, e->face[1]);
+    shorten(&a);
+    shorten(&b);
+    int64_t lengths = (int64_t)ints_sqrt_u64((uint64_t)product(&a, &a)) * ints_sqrt_u64((uint64_t)product(&b, &b));
+    int64_t dot = product(&a, &b);
+    return dot > 0 && dot >> 30 > (lengths >> 30) * least_q30 >> 30;
 }

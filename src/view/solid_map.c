@@ -28,7 +28,7 @@ static void lattice_row(const solid_map_t *m, int r, num_t out[4]) {
     out[3] = m->cam->m[r][3];
     for (int k = 0; k < 3; k++) {
         out[3] = num_add(out[3], num_mul(m->cam->m[r][k], s->origin[k]));
-        out[k] = num_ldexp(m->cam->m[r][k], -s->shift[k]);
+        out[k] = num_ldexp(m->cam->m[r][k], -s->shift);
     }
 }
 
@@ -62,7 +62,7 @@ static int setup_eye(solid_map_t *m) {
     num_t e[3];
     for (int k = 0; k < 3; k++) {
         num_t from = m->cam->perspective ? num_sub(m->cam->eye[k], s->origin[k]) : m->cam->eye[k];
-        e[k] = num_ldexp(from, s->shift[k]);
+        e[k] = num_ldexp(from, s->shift);
     }
     int32_t bits = bits_for(e, 3, SOLID_EYE_BITS);
     /* p w has to be as small as e */

@@ -28,7 +28,7 @@ typedef struct ink {
 } ink_t;
 
 static void world(const solid_t *s, int32_t v, double out[3]) {
-    for (int k = 0; k < 3; k++) out[k] = value(s->origin[k]) + ldexp(s->vertex[v].at[k], -s->shift[k]);
+    for (int k = 0; k < 3; k++) out[k] = value(s->origin[k]) + ldexp(s->vertex[v].at[k], -s->shift);
 }
 
 static int take(void *ctx, const ink_piece_t *p) {

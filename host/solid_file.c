@@ -1,0 +1,202 @@
+/* solid_file.c - see solid_file.h. A file is read whole, and its text written into another in memory. */
+#include "host/solid_file.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "host/progress.h"
+
+typedef struct text {
+    const char *name;
+    char *bytes;
+    size_t n, at;
+    int line;
+    FILE *out;
+} text_t;
+
+static bool ends_in(const char *name, const char *suffix) {
+    size_t n = strlen(name), m = strlen(suffix);
+    return n >= m && strcasecmp(name + n - m, suffix) == 0;
+}
+
+bool solid_file_is(const char *name) {
+    return ends_in(name, ".stl") || ends_in(name, ".off");
+}
+
+static bool complain(const text_t *t, const char *what) {
+    progress_wipe();
+    if (t->line)
+        fprintf(stderr, "ridgeline: %s: line %d: %s\n", t->name, t->line, what);
+    else
+        fprintf(stderr, "ridgeline: %s: %s\n", t->name, what);
+    return false;
+}
+
+/* The next word, of at most 63 characters; false at the end. comments: from # to the end of the line. */
+static bool word(text_t *t, char out[64], bool comments) {
+    for (; t->at < t->n; t->at++) {
+        char c = t->bytes[t->at];
+        if (comments && c == '#')
+            while (t->at < t->n && t->bytes[t->at] != '\n') t->at++;
+        if (t->at < t->n && t->bytes[t->at] == '\n') t->line++;
+        if (t->at == t->n || !isspace((unsigned char)t->bytes[t->at])) break;
+    }
+    size_t k = 0;
+    while (t->at < t->n && !isspace((unsigned char)t->bytes[t->at]) && k < 63) out[k++] = t->bytes[t->at++];
+    out[k] = 0;
+    return k > 0;
+}
+
+static bool number(text_t *t, char out[64]) {
+    char *end;
+    if (!word(t, out, true)) return complain(t, "the file ends where a number should be");
+    double v = strtod(out, &end);
+    if (*end || !isfinite(v)) return complain(t, "not a number");
+    return true;
+}
+
+static bool vertex(text_t *t) {
+    char x[64], y[64], z[64];
+    if (!number(t, x) || !number(t, y) || !number(t, z)) return false;
+    fprintf(t->out, "v %s %s %s\n", x, y, z);
+    return true;
+}
+
+/* solid name; facet normal ...; outer loop; vertex x y z, three times; endloop; endfacet; ...; endsolid */
+static bool stl_text(text_t *t) {
+    char w[64];
+    int corners = 0;
+    long triangles = 0;
+    while (word(t, w, false)) {
+        if (strcasecmp(w, "solid") == 0 || strcasecmp(w, "endsolid") == 0) {
+            while (t->at < t->n && t->bytes[t->at] != '\n') t->at++; /* a name of any words */
+        } else if (strcasecmp(w, "vertex") == 0) {
+            if (!vertex(t)) return false;
+            corners++;
+        } else if (strcasecmp(w, "endloop") == 0) {
+            if (corners != 3) return complain(t, "a facet has three vertices");
+            fputs("f -3 -2 -1\n", t->out);
+            triangles++;
+            corners = 0;
+        } else if (strcasecmp(w, "normal") == 0) {
+            char skip[64];
+            for (int k = 0; k < 3; k++) /* many programs write nan here */
+                if (!word(t, skip, false)) return complain(t, "the file ends within a facet");
+        } else if (strcasecmp(w, "facet") != 0 && strcasecmp(w, "outer") != 0 && strcasecmp(w, "loop") != 0 &&
+                   strcasecmp(w, "endfacet") != 0) {
+            return complain(t, "this is not STL");
+        }
+    }
+    if (corners) return complain(t, "the file ends within a facet");
+    return triangles > 0 || complain(t, "no facets");
+}
+
+static uint32_t little(const char *p) {
+    const unsigned char *u = (const unsigned char *)p;
+    return u[0] | (uint32_t)u[1] << 8 | (uint32_t)u[2] << 16 | (uint32_t)u[3] << 24;
+}
+
+/* 80 bytes of anything, a count, and for each triangle a normal, three vertices, 2 bytes. */
+static bool stl_binary(text_t *t) {
+    uint32_t n = little(t->bytes + 80);
+    t->line = 0;
+    if (n == 0) return complain(t, "no facets");
+    for (uint32_t k = 0; k < n; k++) {
+        const char *p = t->bytes + 84 + 50 * (size_t)k + 12;
+        for (int v = 0; v < 3; v++, p += 12) {
+            float xyz[3];
+            for (int i = 0; i < 3; i++) {
+                uint32_t bits = little(p + 4 * i);
+                memcpy(&xyz[i], &bits, sizeof bits);
+                if (!isfinite(xyz[i])) {
+                    char what[64];
+                    snprintf(what, sizeof what, "facet %lu: not a number", (unsigned long)k + 1);
+                    return complain(t, what);
+                }
+            }
+            fprintf(t->out, "v %.9g %.9g %.9g\n", (double)xyz[0], (double)xyz[1], (double)xyz[2]);
+        }
+        fputs("f -3 -2 -1\n", t->out);
+    }
+    return true;
+}
+
+/* OFF; counts of vertices, faces, edges; vertices; faces as n a b c ..., counted from 0, with colours behind them. */
+static bool off(text_t *t) {
+    char w[64];
+    if (!word(t, w, true)) return complain(t, "no data");
+    const bool headed = strcmp(w, "OFF") == 0;
+    if (!headed && !isdigit((unsigned char)w[0])) return complain(t, "only plain OFF is read");
+    long count[3];
+    for (int k = 0; k < 3; k++) {
+        char *end;
+        if ((headed || k) && !word(t, w, true)) return complain(t, "the counts are missing");
+        count[k] = strtol(w, &end, 10);
+        if (*end || count[k] < 0 || count[k] > INT32_MAX / 4) return complain(t, "not a count");
+    }
+    for (long k = 0; k < count[0]; k++)
+        if (!vertex(t)) return false;
+    for (long k = 0; k < count[1]; k++) {
+        char *end;
+        if (!word(t, w, true)) return complain(t, "the file ends before its last face");
+        long n = strtol(w, &end, 10);
+        if (*end || n < 1 || n > count[0] + 1000000) return complain(t, "not a number of vertices");
+        if (n >= 3) fputs("f", t->out);
+        for (long i = 0; i < n; i++) {
+            if (!word(t, w, true)) return complain(t, "the file ends within a face");
+            long v = strtol(w, &end, 10);
+            if (*end || v < 0 || v >= count[0]) return complain(t, "there is no vertex of this number");
+            if (n >= 3) fprintf(t->out, " %ld", v + 1);
+        }
+        if (n >= 3) fputc('\n', t->out);
+        while (t->at < t->n && t->bytes[t->at] != '\n') t->at++; /* colours */
+    }
+    return true;
+}
+
+static bool read_all(FILE *f, text_t *t) {
+    size_t room = 0;
+    for (;;) {
+        if (room - t->n < 4096) {
+            room = room ? 2 * room : 65536;
+            char *more = realloc(t->bytes, room);
+            if (!more) return complain(t, "no memory");
+            t->bytes = more;
+        }
+        size_t got = fread(t->bytes + t->n, 1, room - t->n, f);
+        if (got == 0) break;
+        t->n += got;
+    }
+    return !ferror(f) || complain(t, "cannot be read");
+}
+
+static bool convert(text_t *t) {
+    t->line = 1;
+    if (ends_in(t->name, ".off")) return off(t);
+    /* Some binary files begin with `solid`, too: the size tells. */
+    if (t->n >= 84 && t->n == 84 + 50 * (size_t)little(t->bytes + 80)) return stl_binary(t);
+    size_t at = 0;
+    while (at < t->n && isspace((unsigned char)t->bytes[at])) at++;
+    if (t->n - at >= 5 && strncasecmp(t->bytes + at, "solid", 5) == 0) return stl_text(t);
+    t->line = 0;
+    return complain(t, "neither a text STL nor a binary one of its length");
+}
+
+FILE *solid_file_open(FILE *f, const char *name) {
+    text_t t = {.name = name, .out = tmpfile()};
+    if (!t.out) complain(&t, "no temporary file");
+    bool good = t.out && read_all(f, &t) && convert(&t);
+    if (good && (fflush(t.out) || ferror(t.out))) good = complain(&t, "no room for its text");
+    fclose(f);
+    free(t.bytes);
+    if (good) {
+        rewind(t.out);
+        return t.out;
+    }
+    if (t.out) fclose(t.out);
+    return NULL;
+}
