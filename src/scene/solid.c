@@ -51,7 +51,7 @@ size_t solid_bytes(const mesh_t *const *mesh, int32_t n) {
     size_t edges = (size_t)t.corners + (size_t)t.segments;
     size_t slots = slots_for(t.vertices > (int32_t)edges ? t.vertices : (int32_t)edges);
     return (size_t)t.vertices * sizeof(solid_vertex_t) + edges * sizeof(solid_edge_t) +
-           (size_t)t.faces * (sizeof(solid_face_t) + sizeof(solid_object_t) + 4) + (size_t)t.corners * 12 +
+           (size_t)t.faces * (sizeof(solid_face_t) + sizeof(solid_object_t) + 8) + (size_t)t.corners * 12 +
            (size_t)t.vertices_most * 4 + slots * 4 + 16 * 8;
 }
 
@@ -131,7 +131,7 @@ static int32_t vertex_of(solid_build_t *b, const mesh_t *m, int32_t v) {
     return b->map[v];
 }
 
-static void add_face(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w) {
+static void add_face(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w, int32_t group) {
     solid_t *s = b->s;
     int32_t *c = b->corner + s->nc, n = 0;
     for (int32_t k = 0; k < w->count; k++) {
@@ -142,6 +142,7 @@ static void add_face(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w) {
     if (n < 3) return;
     b->face[s->nf] = (solid_face_t){.corner = s->nc, .n = n, .object = m->smooth_q30}; /* solid_join.c moves it */
     for (int32_t k = 0; k < n; k++) b->corner_face[s->nc + k] = s->nf;
+    b->group[s->nf] = group;
     s->nc += n;
     s->nf++;
 }
@@ -156,11 +157,13 @@ static void add_line(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w) {
 }
 
 static void fill(solid_build_t *b, const mesh_t *const *mesh, int32_t n) {
-    for (int32_t k = 0; k < n; k++) {
+    int32_t group = 0;
+    for (int32_t k = 0; k < n; k++, group++) {
         memset(b->map, 0xff, (size_t)mesh[k]->nv * sizeof *b->map);
         mesh_walk_t w = mesh_walk(mesh[k]);
         while (mesh_next(&w)) {
-            if (w.kind == MESH_FACE) add_face(b, mesh[k], &w);
+            if (w.kind == MESH_OBJECT) group++;
+            if (w.kind == MESH_FACE) add_face(b, mesh[k], &w, group);
             if (w.kind == MESH_LINE) add_line(b, mesh[k], &w);
         }
     }
@@ -187,6 +190,7 @@ int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, siz
     b.corner_face = take(&m, t.corners, sizeof *b.corner_face, false);
     b.corner_next = take(&m, t.corners, sizeof *b.corner_next, false);
     b.parent = take(&m, t.faces, sizeof *b.parent, false);
+    b.group = take(&m, t.faces, sizeof *b.group, false);
     if (m.full) return ERR_FULL;
     s->vertex = b.vertex;
     s->corner = b.corner;

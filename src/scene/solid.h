@@ -4,10 +4,10 @@
  * SOLID_BITS bits, so what lies in a plane x = const of the files lies in one here, and small decimals are exact.
  * Vertices that fall together are one vertex; an edge is there once for all faces of its object.
  *
- * An object is what hangs together by edges of two faces each; `o` and `g` of a file do not matter, so that a cube
- * whose sides are six groups is a cube, and a hundred cubes in one group are a hundred. Faces of a closed object are
- * turned so that they run counter-clockwise seen from outside, whatever the file says; an object is convex if a segment
- * between any two of its points stays inside. Polygons stay polygons.
+ * An object is what hangs together by edges of two faces each, so that a cube whose sides are six groups is a cube, and
+ * a hundred cubes in one group are a hundred. `o` and `g` of a file matter only where bodies touch along an edge. Faces
+ * of a closed object are turned so that they run counter-clockwise seen from outside, whatever the file says; an object
+ * is convex if a segment between any two of its points stays inside. Polygons stay polygons.
  *
  * Bits: |coordinate| <= 2^27; the difference of two fits 2^28, a component of a triangle's normal 2^57, its product
  * with a difference 2^87 in wide_t. Memory: solid_bytes(); 12 bytes a vertex, 12 a face, 4 a corner, 24 an edge stay in

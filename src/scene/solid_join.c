@@ -2,8 +2,8 @@
  *
  * Corners whose edges lie between the same two vertices are chained through a hash table. Where there are just two,
  * their faces belong to one object, and a union-find whose links know whether both faces run the same way round
- * collects it and turns its faces alike. Edges of more faces (bodies that touch) do not connect; they become one edge
- * for each object, twins of each other. */
+ * collects it and turns its faces alike. Edges of more faces (bodies that touch) connect those of one `o` or `g`, if
+ * they are two; they become one edge for each object, twins of each other. */
 #include "num/wide.h"
 #include "scene/solid_build.h"
 #include "scene/solid_math.h"
@@ -91,6 +91,19 @@ static void unite(solid_build_t *b, int32_t c, int32_t d) {
     b->object[f].kind |= b->object[g].kind;
 }
 
+/* Bodies that touch: of an edge with more faces, the two of each group belong together. */
+static void unite_groups(solid_build_t *b, int32_t first) {
+    for (int32_t c = first; c >= 0; c = b->corner_next[c]) {
+        int32_t other = -1, n = 0;
+        for (int32_t d = first; d >= 0 && n < 2; d = b->corner_next[d]) {
+            if (d == c || b->group[b->corner_face[d]] != b->group[b->corner_face[c]]) continue;
+            other = d;
+            n++;
+        }
+        if (n == 1 && other < c && b->corner_face[other] != b->corner_face[c]) unite(b, c, other);
+    }
+}
+
 static void unite_all(solid_build_t *b) {
     for (int32_t f = 0; f < b->s->nf; f++) {
         b->parent[f] = (uint32_t)f << 1;
@@ -100,7 +113,11 @@ static void unite_all(solid_build_t *b) {
         int32_t c = b->edge[e].face[0];
         if (c < 0) continue;
         int32_t d = b->corner_next[c];
-        if (d >= 0 && b->corner_next[d] < 0 && b->corner_face[c] != b->corner_face[d]) unite(b, c, d);
+        if (d < 0) continue;
+        if (b->corner_next[d] >= 0)
+            unite_groups(b, c);
+        else if (b->corner_face[c] != b->corner_face[d])
+            unite(b, c, d);
     }
 }
 

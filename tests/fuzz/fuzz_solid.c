@@ -1,0 +1,83 @@
+/* fuzz_solid.c - OBJ text, cut anywhere, put together, mapped and drawn in memory that may be too small. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "error.h"
+#include "hidden/convex.h"
+#include "scene/obj_reader.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+enum { POOL = 4096 };
+
+typedef struct drawn {
+    const solid_t *solid;
+    int64_t last_to;
+    int32_t line;
+} drawn_t;
+
+static int take(void *ctx, const ink_piece_t *p) {
+    drawn_t *d = ctx;
+    if (p->family != INK_SEGMENT || p->line < 0 || p->line >= d->solid->ne || p->from_q30 < 0 || p->to_q30 > INK_ONE ||
+        p->from_q30 >= p->to_q30)
+        abort();
+    if (p->line == d->line && p->from_q30 < d->last_to) abort(); /* in order, disjoint */
+    if (p->line < d->line) abort();
+    d->line = p->line;
+    d->last_to = p->to_q30;
+    return 0;
+}
+
+static void draw(const solid_t *s, const uint8_t *data) {
+    static uint64_t place[SOLID_MAP_BYTES(POOL / 3) / 8], kernel[60000];
+    static solid_map_t map;
+    settings_t set;
+    camera_t cam;
+    hidden_stats_t stats;
+    view_box_t box = {.solid = true};
+    settings_default(&set);
+    set.view.rot_x = num_from_i64(data[1]);
+    set.view.rot_z = num_from_i64(data[2]);
+    set.view.from = data[0] & 2;
+    for (int k = 0; k < 3; k++) {
+        set.view.eye[k] = num_ldexp(num_from_i64((int8_t)data[1 + k]), (data[0] >> 4) - 8);
+        box.lo[k] = s->lo[k];
+        box.hi[k] = s->hi[k];
+    }
+    drawn_t visible = {s, 0, -1}, hidden = visible;
+    const ink_sink_t sink = {&visible, take}, other = {&hidden, take};
+    const hidden_job_t job = {
+        .mem = kernel, .bytes = data[0] & 4 ? (size_t)data[3] * 64 : sizeof kernel, .sink = &sink};
+    if (camera_setup(&cam, &set, &box) || solid_map_setup(&map, s, &cam, place)) return;
+    convex_draw(&map, &other, &job, &stats);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    if (size < 5) return 0;
+    static packed_t memory[POOL];
+    static uint64_t lent[30000];
+    obj_reader_t r;
+    solid_t solid;
+    mesh_t mesh;
+    const mesh_t *list[1] = {&mesh};
+    data_pool_t pool = {memory, 0, data[0] & 8 ? (size_t)data[4] : POOL};
+    obj_reader_start(&r, &pool, NULL, data[0] & 1, 0);
+    size_t chunk = 1 + data[4] % 32;
+    int err = 0;
+    for (size_t at = 5; !err && at < size; at += chunk)
+        err = obj_reader_feed(&r, (const char *)data + at, size - at < chunk ? size - at : chunk);
+    if (!err) err = obj_reader_finish(&r, &mesh);
+    if (err) {
+        if (err != ERR_EMPTY && (r.trouble == DATA_OK || !data_grid_text(r.trouble) || r.line < 1)) abort();
+        return 0;
+    }
+    mesh.smooth_q30 = data[3] & 1 ? 1000000000 : 0;
+    if (solid_bytes(list, 1) <= sizeof lent) {
+        err = solid_build(&solid, list, 1, lent, sizeof lent);
+        if (err == ERR_FULL || solid.bytes > sizeof lent) abort();
+    } else {
+        err = solid_build(&solid, list, 1, lent, sizeof lent);
+    }
+    if (!err) draw(&solid, data);
+    return 0;
+}
