@@ -21,8 +21,9 @@ $(EMUDIR)/node_modules/.ready: tests/emu/package.json tests/emu/package-lock.jso
 	$(Q)cd $(EMUDIR) && npm ci --silent --no-audit --no-fund >npm.log 2>&1 || { cat npm.log; exit 1; }
 	$(Q)touch $@
 
+include tests/emu/bare/bare.mk
 BOARD_TESTS := $(wildcard tests/emu/test_*.sh)
-BOARD_NEEDS := $(EMUDIR)/scope.so $(EMUDIR)/node_modules/.ready $(BOARDS:%=$(EMUDIR)/sim-%) $(IMAGES)
+BOARD_NEEDS += $(EMUDIR)/scope.so $(EMUDIR)/node_modules/.ready $(BOARDS:%=$(EMUDIR)/sim-%) $(IMAGES)
 .PHONY: test-emu test-emu-run
 test-emu: ## run every board's image in its emulator against the simulator
 	$(Q)sh .ci/deps.sh host firmware emu

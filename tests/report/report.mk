@@ -1,5 +1,4 @@
 # `make report`: the numbers report, docs/report. Each program writes data and figures, and its section of the README.
-comma := ,
 REPORT_DIR ?= docs/report
 REPORT_LIB := $(patsubst %.c,$(BUILDDIR)/obj/%.o,$(filter-out tests/report/report_%.c,$(wildcard tests/report/*.c)))
 REPORTS := $(patsubst tests/report/%.c,$(BUILDDIR)/report/%,$(wildcard tests/report/report_*.c))
@@ -11,9 +10,12 @@ $(BUILDDIR)/report/%: $(BUILDDIR)/obj/tests/report/%.o $(REPORT_LIB) $(BUILDDIR)
 	$(call say,LD,$@)
 	$(Q)$(CC) $(LDFLAGS) $(REPORT_WRAP) $^ $(HOST_LIBS) $(shell pkg-config --libs cairo) -lgmp -lm -o $@
 
-report: host $(REPORTS) ## write docs/report: speed against error, hard cases, the papers' experiments
-	$(Q)sh tests/report/report.sh $(BUILDDIR) $(REPORT_DIR)
-.PHONY: report
+report: ## install what is missing, write docs/report: speed against error, hard cases, the papers' experiments
+	$(Q)sh .ci/deps.sh host test firmware emu check
+	+$(Q)$(again) report-run
+report-run: host $(REPORTS) $(BARE_COUNTS)
+	$(Q)CROSS=$(CROSS) sh tests/report/report.sh $(BUILDDIR) $(REPORT_DIR)
+.PHONY: report report-run
 # tests/cli/test_report.sh runs it.
 test-run test-cli: $(BUILDDIR)/report/report_error
 

@@ -43,11 +43,9 @@ costs() {
     echo 'where a line is visible, also when moved by one step, and not drawn; false where it is drawn and hidden, also then.'
     echo 'Every table is there as `.tsv`, too.'
     echo
-    echo 'Not in here: cycles on Cortex-M0, M3 and RP2040; simplifying the envelope as a setting of its own (on a coarser'
-    echo 'lattice the dead zone grows with the unit, which does the same); a surface of 3000 x 3000.'
-    echo
     "$bin/report_error" "$out"
     costs
+    sh tests/report/boards.sh "$1" "$out"
     for section in formats hard needs papers; do
         if [ -x "$bin/report_$section" ]; then "$bin/report_$section" "$out"; fi
     done

@@ -1,0 +1,43 @@
+# bare.mk - programs of tests/emu/bare (bare.h): for the host, and for bare cores in emulators.
+comma := ,
+BARE := $(EMUDIR)/bare
+# A core: its compiler's name for it, code, data and top of the stack. m0 is the micro:bit's memory; the others, which are to hold large
+# scenes, the AN385's (a Cortex-M3, which runs a Cortex-M0's instructions as they are) and a Pico's RAM.
+BARE_m0     := -mcpu=cortex-m0 0 0x20000000 0x20004000
+BARE_m0an   := -mcpu=cortex-m0 0 0x20000000 0x20400000
+BARE_m3     := -mcpu=cortex-m3 0 0x20000000 0x20400000
+BARE_rp2040 := -mcpu=cortex-m0plus 0x20000000 0x20018000 0x20042000
+BARE_CFLAGS := -std=c11 -O2 -ffreestanding -ffunction-sections -fdata-sections $(WARN) -MMD -MP -Isrc -I.
+bare_lds     = -nostartfiles --specs=nano.specs -mthumb -Wl,--gc-sections -Wl,--fatal-warnings -T tests/emu/bare/bare.ld \
+    $(foreach k,2 3 4,-Wl,--defsym=$(word $k,- CODE DATA STACK)=$(word $k,$(BARE_$1)))
+BARE_COMMON := tests/emu/bare/integer_scene.c
+# The same scenes everywhere: small ones, and large ones to count by. CORE_SRC whole; what is not called is left out by the linker.
+BARE_DEFS_count := -DINTEGER_SCENE_SIDE=40 -DINTEGER_SCENE_BYTES=65536
+
+define bare_core
+$(BARE)/$1-$2/%.o: %.c
+	@mkdir -p $$(@D)
+	$$(call say,CC,$1 $$<)
+	$$(Q)$(CROSS)gcc $(word 1,$(BARE_$1)) -mthumb $(BARE_CFLAGS) $(BARE_DEFS_$2) -c $$< -o $$@
+$(BARE)/$2-$1.elf: $(patsubst %.c,$(BARE)/$1-$2/%.o,tests/emu/bare/$2.c tests/emu/bare/bare_arm.c $(BARE_COMMON) $(BARE_SRC_$2) $(CORE_SRC)) tests/emu/bare/bare.ld
+	$$(call say,LD,$$@)
+	$$(Q)$(CROSS)gcc $(word 1,$(BARE_$1)) $(call bare_lds,$1) $(BARE_LDS_$2) $$(filter %.o,$$^) $(BARE_LIBS_$2) -o $$@
+	$$(Q)$(CROSS)objcopy -O binary $$@ $$(@:.elf=.bin)
+endef
+$(eval $(call bare_core,m0,same))
+$(eval $(call bare_core,m3,same))
+$(BARE)/same: $(BUILDDIR)/obj/tests/emu/bare/same.o $(BUILDDIR)/obj/tests/emu/bare/bare_host.o $(BARE_COMMON:%.c=$(BUILDDIR)/obj/%.o) $(BUILDDIR)/libcore.a
+	@mkdir -p $(@D)
+	$(call say,LD,$@)
+	$(Q)$(CC) $(LDFLAGS) $^ -o $@
+$(BARE)/counter.so: tests/emu/bare/counter.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) -shared -fPIC -O2 -Wall -Wextra -o $@ $<
+BOARD_NEEDS += $(BARE)/same $(BARE)/same-m0.elf $(BARE)/same-m3.elf
+
+# What is counted for `make report` (tests/report/boards.sh).
+BARE_SRC_count  := tests/emu/bare/formats.c tests/report/lattice.c
+BARE_LDS_count  := $(addprefix -Wl$(comma)--wrap=,chart_init chart_row horizons_init horizons_clip)
+BARE_LIBS_count := -lm
+$(foreach c,m0an m3 rp2040,$(eval $(call bare_core,$c,count)))
+BARE_COUNTS := $(BARE)/count-m0an.elf $(BARE)/count-m3.elf $(BARE)/count-rp2040.elf $(BARE)/counter.so $(EMUDIR)/node_modules/.ready
