@@ -130,15 +130,15 @@ static const char *fn_column(lang_t *l, value_t *a, int n) {
 
 const builtin_t BUILTINS[] = {
     {"abs", 1, 1, 0, NULL, fn_abs},
-    {"acos", 1, 1, 0, func_acos, NULL},
-    {"asin", 1, 1, 0, func_asin, NULL},
-    {"atan", 1, 1, 0, func_atan, NULL},
-    {"atan2", 2, 2, 0, NULL, fn_atan2},
+    {"acos", 1, 1, BUILTIN_ARC, func_acos, NULL},
+    {"asin", 1, 1, BUILTIN_ARC, func_asin, NULL},
+    {"atan", 1, 1, BUILTIN_ARC, func_atan, NULL},
+    {"atan2", 2, 2, BUILTIN_ARC, NULL, fn_atan2},
     {"besj0", 1, 1, 0, func_besj0, NULL},
     {"besj1", 1, 1, 0, func_besj1, NULL},
     {"ceil", 1, 1, 0, NULL, fn_ceil},
     {"column", 1, 1, BUILTIN_IMPURE | BUILTIN_COLUMNS, NULL, fn_column},
-    {"cos", 1, 1, 0, func_cos, NULL},
+    {"cos", 1, 1, BUILTIN_ANGLE, func_cos, NULL},
     {"cosh", 1, 1, 0, func_cosh, NULL},
     {"erf", 1, 1, 0, func_erf, NULL},
     {"exp", 1, 1, 0, func_exp, NULL},
@@ -154,10 +154,10 @@ const builtin_t BUILTINS[] = {
     {"rand", 1, 1, BUILTIN_IMPURE, NULL, fn_rand},
     {"real", 1, 1, 0, NULL, fn_real},
     {"sgn", 1, 1, 0, NULL, fn_sgn},
-    {"sin", 1, 1, 0, func_sin, NULL},
+    {"sin", 1, 1, BUILTIN_ANGLE, func_sin, NULL},
     {"sinh", 1, 1, 0, func_sinh, NULL},
     {"sqrt", 1, 1, 0, num_double_sqrt, NULL},
-    {"tan", 1, 1, 0, func_tan, NULL},
+    {"tan", 1, 1, BUILTIN_ANGLE, func_tan, NULL},
     {"tanh", 1, 1, 0, func_tanh, NULL},
 };
 

@@ -8,6 +8,8 @@ enum builtin_flags {
     BUILTIN_IMPURE = 1,  /* not the same result for the same arguments: rand */
     BUILTIN_COLUMNS = 2, /* reads the data line at hand */
     BUILTIN_OURS = 4,    /* gnuplot has none: a user's function of that name comes first */
+    BUILTIN_ANGLE = 8,   /* takes an angle, in degrees if so set */
+    BUILTIN_ARC = 16,    /* gives one */
 };
 
 typedef struct builtin {

@@ -8,6 +8,8 @@
 #include "lang/emit.h"
 #include "lang/expr.h"
 #include "lang/share.h"
+#include "num/func.h"
+#include "num/num_double.h"
 
 /* Precedences; the open brackets stay below all operators. */
 enum { OPEN = 0, LOOSE = 1, OR = 2, AND = 3, PREFIX = 12, POWER = 13 };
@@ -230,6 +232,12 @@ static int operand(compiler_t *c) {
     return r;
 }
 
+/* Turns the operand on top from degrees into radians (OP_MUL), or back (OP_DIV). */
+static void convert_angle(compiler_t *c, uint8_t op) {
+    emit_constant(&c->e, value_real(num_double(num_div(func_pi(), num_from_i64(180)))));
+    emit_binary(&c->e, op);
+}
+
 /* A bracket that closes a call: its operation. */
 static int close_call(compiler_t *c, pending_t p) {
     bool builtin = p.kind == P_BUILTIN;
@@ -237,6 +245,8 @@ static int close_call(compiler_t *c, pending_t p) {
     if (builtin && (p.at < b->min_args || p.at > b->max_args))
         return lang_error_set_name(c->err, ERR_SYNTAX, lexer_column(c->lx), "wrong number of arguments", b->name,
                                    strlen(b->name));
+    const bool degrees = builtin && c->e.l->degrees;
+    if (degrees && (b->flags & BUILTIN_ANGLE)) convert_angle(c, OP_MUL);
     if (!builtin) {
         emit_byte3(&c->e, OP_CALL, p.a, p.at);
     } else if (b->real1) {
@@ -245,6 +255,7 @@ static int close_call(compiler_t *c, pending_t p) {
         emit_byte3(&c->e, OP_FUNC, p.a, p.at);
     }
     emit_operated(&c->e, p.at, builtin && !(b->flags & BUILTIN_IMPURE), builtin && b->real1);
+    if (degrees && (b->flags & BUILTIN_ARC)) convert_angle(c, OP_DIV);
     return 0;
 }
 

@@ -28,10 +28,11 @@ static const topic_t topics[] = {
      "ELEMENT: an expression in x, drawn with as many points as set samples, or 'file' or '-' with rows x y or y,\n"
      "using 1:2, index, every; then with lines, title 'text', notitle.\n"},
     {"rep$lot", "replot [more elements]     short: rep\nThe last plot again, with its inline data.\n"},
-    {"se$t", "set OPTION ...     short: se\nOptions: xrange yrange zrange samples isosamples view hidden3d title "
-             "xyplane paper\n"
-             "machine dummy datafile autoscale. gnuplot's other options are ignored with a warning. unset OPTION goes\n"
-             "back to the default, show OPTION tells the value.\n"},
+    {"se$t",
+     "set OPTION ...     short: se\nOptions: xrange yrange zrange samples isosamples view hidden3d title "
+     "xyplane paper\n"
+     "machine dummy datafile autoscale angles. gnuplot's other options are ignored with a warning. unset OPTION goes\n"
+     "back to the default, show OPTION tells the value.\n"},
     {"uns$et", "unset OPTION: back to its default; unset hidden3d draws every line.\n"},
     {"sh$ow", "show OPTION, show all, show variables, show functions, show plot\n"},
     {"res$et", "reset: all options to their defaults. Variables and functions stay; reset session forgets them too.\n"},

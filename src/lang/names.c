@@ -11,6 +11,7 @@ static const char *name_of(const lang_t *l, const symbol_t *s) {
 }
 
 void names_reset(lang_t *l) {
+    l->degrees = false;
     /* The largest part is left as it is: pool and stack are never read before they are written. */
     l->symbols = 0;
     l->bodies_end = 0;

@@ -47,6 +47,7 @@ typedef struct lang {
     uint16_t symbols;     /* in use */
     uint16_t bodies_end;  /* function bodies: pool[0 .. bodies_end) */
     uint16_t names_start; /* names: pool[names_start .. CONFIG_POOL) */
+    bool degrees;         /* what is compiled from now on measures angles in degrees */
     int32_t seed[2];      /* rand(); seed[0] == 0: not started. Any bits will do as a seed */
     /* Columns of the data line at hand, for $1 and column(1) in a using expression; NULL elsewhere. */
     value_t (*column)(void *ctx, int32_t n);

@@ -250,7 +250,7 @@ static const word_t look_words[] = {
     {"ls", LOOK_NUMBER},        {"lines$tyle", LOOK_NUMBER}, {"ps", LOOK_NUMBER},       {"points$ize", LOOK_NUMBER},
     {"pt", LOOK_NUMBER},        {"pointt$ype", LOOK_NUMBER}, {"pi", LOOK_NUMBER},       {"pointi$nterval", LOOK_NUMBER},
     {"nohidden$3d", LOOK_WORD}, {"nocon$tours", LOOK_WORD},  {"nosur$face", LOOK_WORD}, {"noenh$anced", LOOK_WORD},
-    {"enh$anced", LOOK_WORD},   {"ax$es", LOOK_AXES},        {NULL, LOOK_WORD},
+    {"enh$anced", LOOK_WORD},   {"pal$ette", LOOK_WORD},     {"ax$es", LOOK_AXES},      {NULL, LOOK_WORD},
 };
 
 static int look(session_t *s, lexer_t *lx, enum look what) {

@@ -49,6 +49,7 @@ int set_autoscale(session_t *s, lexer_t *lx);
 /* set_text.c; index, word: of `datafile`, for its warning */
 int set_title(session_t *s, lexer_t *lx);
 int set_dummy(session_t *s, lexer_t *lx);
+int set_angles(session_t *s, lexer_t *lx);
 int set_datafile(session_t *s, lexer_t *lx, int index, const lexer_t *word);
 
 /* set_view.c, set_page.c, set_machine.c */

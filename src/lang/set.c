@@ -7,6 +7,7 @@ void set_reset(session_t *s) {
     settings_default(&s->settings);
     s->separator = 0;
     s->parametric = false;
+    s->lang.degrees = false;
     memcpy(s->dummy[0], "x", 2);
     memcpy(s->dummy[1], "y", 2);
 }
@@ -120,6 +121,8 @@ int set_command(session_t *s, lexer_t *lx) {
     settings_t *set = &s->settings;
     lexer_next(lx);
     switch (words_set[index].id) {
+    case SET_ANGLES:
+        return set_angles(s, lx);
     case SET_AUTOSCALE:
         return set_autoscale(s, lx);
     case SET_DATAFILE:
@@ -196,6 +199,9 @@ int set_unset_command(session_t *s, lexer_t *lx) {
     if (err) return err;
     settings_default(&fresh);
     switch (id) {
+    case SET_ANGLES:
+        s->lang.degrees = false;
+        return 0;
     case SET_AUTOSCALE:
         return 0; /* ranges that were set stay set */
     case SET_DATAFILE:

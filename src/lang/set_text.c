@@ -1,4 +1,4 @@
-/* set_text.c - options that are words: title, dummy, datafile. */
+/* set_text.c - options that are words: title, dummy, datafile, angles. */
 #include "lang/session_parts.h"
 
 /* Options of a text's looks: known, and without a meaning for a pen. */
@@ -77,5 +77,16 @@ int set_datafile(session_t *s, lexer_t *lx, int index, const lexer_t *word) {
     if (!session_at_end(lx)) lexer_next(lx);
     int err = session_expect_end(s, lx);
     if (!err) s->separator = separator;
+    return err;
+}
+
+int set_angles(session_t *s, lexer_t *lx) {
+    bool degrees = lexer_is_almost(lx, "d$egrees");
+    if (degrees || lexer_is_almost(lx, "r$adians"))
+        lexer_next(lx);
+    else if (!session_at_end(lx))
+        return lexer_unexpected(lx, &s->error, "degrees or radians expected");
+    int err = session_expect_end(s, lx);
+    if (!err) s->lang.degrees = degrees;
     return err;
 }

@@ -64,9 +64,25 @@ static int view_rotation(session_t *s, lexer_t *lx) {
     return 0;
 }
 
+/* set view equal xy | xyz, set view noequal. */
+static int view_equal(session_t *s, lexer_t *lx) {
+    uint8_t equal = 0;
+    if (lexer_is_name(lx, "equal")) {
+        lexer_next(lx);
+        equal = lexer_is_name(lx, "xy") ? 2 : 3;
+        if (!session_at_end(lx) && equal == 3 && !lexer_is_name(lx, "xyz"))
+            return lexer_unexpected(lx, &s->error, "xy or xyz expected");
+        if (!session_at_end(lx)) lexer_next(lx);
+    } else {
+        lexer_next(lx);
+    }
+    int err = session_expect_end(s, lx);
+    if (!err) s->settings.view.equal = equal;
+    return err;
+}
+
 int set_view(session_t *s, lexer_t *lx) {
-    static const word_t ignored[] = {
-        {"equal", 0}, {"noequal$_axes", 0}, {"azi$muth", 0}, {"proj$ection", 0}, {NULL, 0}};
+    static const word_t ignored[] = {{"azi$muth", 0}, {"proj$ection", 0}, {NULL, 0}};
     if (lexer_is_name(lx, "from")) {
         lexer_next(lx);
         return view_from(s, lx);
@@ -78,6 +94,7 @@ int set_view(session_t *s, lexer_t *lx) {
         session_skip(lx); /* scale */
         return 0;
     }
+    if (lexer_is_name(lx, "equal") || lexer_is_almost(lx, "noequal$_axes")) return view_equal(s, lx);
     if (words_find(ignored, lx) >= 0) {
         session_warn(s, "set view ", lexer_text(lx), lx->tok.len, " is ignored");
         session_skip(lx);

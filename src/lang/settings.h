@@ -35,6 +35,7 @@ typedef struct settings {
         bool from;           /* set view from ...: perspective; otherwise gnuplot's rotation */
         num_t rot_x, rot_z;  /* degrees; 60, 30 */
         num_t scale, zscale; /* 1, 1 */
+        uint8_t equal;       /* set view equal: 2: x and y have the same units; 3: z too; 0 */
         num_t eye[3];
         bool has_to; /* otherwise: the middle of the scene's box */
         num_t to[3];

@@ -44,6 +44,7 @@ static void show_view(text_t *t, const settings_t *set) {
         show_point(t, "set view ", v);
         text_add(t, ",");
         text_add_num(t, set->view.zscale);
+        if (set->view.equal) text_add(t, set->view.equal == 2 ? "\nset view equal xy" : "\nset view equal xyz");
     }
     text_add(t, "\n");
 }
@@ -200,6 +201,9 @@ static bool show_option(session_t *s, uint8_t id) {
     case SET_DATAFILE:
         show_datafile(s, &t);
         break;
+    case SET_ANGLES:
+        text_add(&t, s->lang.degrees ? "set angles degrees\n" : "set angles radians\n");
+        break;
     case SET_DUMMY:
         text_add(&t, "set dummy ");
         text_add(&t, s->dummy[0]);
@@ -227,9 +231,9 @@ static bool show_option(session_t *s, uint8_t id) {
 }
 
 int show_command(session_t *s, lexer_t *lx) {
-    static const uint8_t all[] = {SET_TITLE,   SET_XRANGE,     SET_YRANGE,   SET_ZRANGE,    SET_XYPLANE,
-                                  SET_SAMPLES, SET_ISOSAMPLES, SET_VIEW,     SET_HIDDEN3D,  SET_PAPER,
-                                  SET_MACHINE, SET_DUMMY,      SET_DATAFILE, SET_VARIABLES, SET_FUNCTIONS};
+    static const uint8_t all[] = {SET_TITLE,      SET_XRANGE,   SET_YRANGE,    SET_ZRANGE,   SET_XYPLANE, SET_SAMPLES,
+                                  SET_ISOSAMPLES, SET_VIEW,     SET_HIDDEN3D,  SET_PAPER,    SET_MACHINE, SET_ANGLES,
+                                  SET_DUMMY,      SET_DATAFILE, SET_VARIABLES, SET_FUNCTIONS};
     if (session_at_end(lx)) return lexer_unexpected(lx, &s->error, "an option expected; try `show all`");
     lexer_t word = *lx;
     bool plot = lexer_is_almost(lx, "p$lot");

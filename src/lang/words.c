@@ -76,7 +76,7 @@ _Static_assert(sizeof words_command / sizeof words_command[0] <= WORDS_COMMAND_M
 
 const word_t words_set[] = {
     {"all", SET_ALL},
-    {"an$gles", SET_IGNORED},
+    {"an$gles", SET_ANGLES},
     {"ar$row", SET_IGNORED},
     {"au$toscale", SET_AUTOSCALE},
     {"b$ars", SET_IGNORED},

@@ -38,6 +38,7 @@ extern const word_t words_command[];
 #define WORDS_COMMAND_MAX 64
 
 enum set_id {
+    SET_ANGLES,
     SET_AUTOSCALE,
     SET_DATAFILE,
     SET_DUMMY,

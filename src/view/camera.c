@@ -67,6 +67,12 @@ static num_t fit_solid(const page_window_t *w, const view_box_t *box, const num_
     return scale;
 }
 
+/* set view equal: x and y get the unit of the longer of the two, and so does z if three axes are meant. Senses stay. */
+static void equalise(num_t unit[3], int axes) {
+    num_t x = num_abs(unit[X]), y = num_abs(unit[Y]), least = num_cmp(x, y) < 0 ? x : y;
+    for (int k = 0; k < axes; k++) unit[k] = num_sign(unit[k]) < 0 ? num_neg(least) : least;
+}
+
 static int setup_rotation(camera_t *cam, const settings_t *s, const view_box_t *box) {
     const num_t right_angle = num_from_i64(90);
     const num_t sx = func_sin_degrees(s->view.rot_x), cx = func_sin_degrees(num_add(s->view.rot_x, right_angle));
@@ -79,7 +85,8 @@ static int setup_rotation(camera_t *cam, const settings_t *s, const view_box_t *
         unit[k] = num_div(num_from_i64(box->reverse[k] ? -2 : 2), span);
         origin[k] = middle(box, k);
     }
-    unit[Z] = num_mul(unit[Z], s->view.zscale);
+    if (!box->solid) equalise(unit, s->view.equal);
+    if (s->view.equal < 3) unit[Z] = num_mul(unit[Z], s->view.zscale); /* gnuplot's xyz leaves zscale out */
     if (num_sign(unit[Z]) == 0 || unit[Z].undef) return ERR_VALUE;
 
     const num_t right[3] = {num_mul(cz, unit[X]), num_mul(sz, unit[Y]), num_from_i64(0)};
@@ -90,6 +97,7 @@ static int setup_rotation(camera_t *cam, const settings_t *s, const view_box_t *
     const page_window_t *w = &cam->window;
     num_t across = num_mul(per_unit, num_from_i64(w->x1_lat - w->x0_lat));
     num_t upward = num_mul(per_unit, num_from_i64(w->y1_lat - w->y0_lat));
+    if (s->view.equal) across = upward = num_cmp(across, upward) < 0 ? across : upward;
     if (box->solid) across = upward = num_mul(fit_solid(w, box, right, up), s->view.scale);
     set_row(cam, 0, right, origin, across);
     set_row(cam, 1, up, origin, upward);

@@ -64,6 +64,28 @@ static void rotation_overlays_gnuplot(void **state) {
     }
 }
 
+/* Millimetres to the unit: the same along all axes that `set view equal` means, whatever their ranges are. gnuplot
+ * leaves zscale out of xyz, and lets z be as high as it comes. */
+static void equal_units_are_equal_on_the_page(void **state) {
+    (void)state;
+    settings_t s = a4();
+    view_box_t box = box_of(0, 4, 0, 10, -5, 25);
+    camera_t cam;
+    s.view.rot_x = num_from_i64(90); /* from the front: x to the right, z up */
+    s.view.rot_z = num_from_i64(0);
+    s.view.zscale = num_from_decimal(5, -1);
+    for (int axes = 2; axes <= 3; axes++) {
+        s.view.equal = (uint8_t)axes;
+        assert_int_equal(camera_setup(&cam, &s, &box), 0);
+        double high = axes == 3 ? 1 : 10.0 / 30 * 0.5;
+        assert_true(fabs(to_double(cam.m[1][2]) / to_double(cam.m[0][0]) - high) < 1e-9);
+    }
+    s.view.rot_x = num_from_i64(0); /* from above */
+    assert_int_equal(camera_setup(&cam, &s, &box), 0);
+    assert_true(fabs(to_double(cam.m[1][1]) / to_double(cam.m[0][0]) - 1) < 1e-9);
+    assert_true(fabs(to_double(cam.m[1][1]) * 10 * 7 / 4 / (cam.window.y1_lat - cam.window.y0_lat) - 1) < 1e-9);
+}
+
 /* The middle of the box lands in the middle of the window, and a step towards the eye moves nothing on the page. */
 static void rotation_looks_along_the_eye(void **state) {
     (void)state;
@@ -150,9 +172,8 @@ static void refuses_what_cannot_be_seen(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rotation_overlays_gnuplot),
-        cmocka_unit_test(rotation_looks_along_the_eye),
-        cmocka_unit_test(perspective_fits_the_window),
+        cmocka_unit_test(rotation_overlays_gnuplot),    cmocka_unit_test(equal_units_are_equal_on_the_page),
+        cmocka_unit_test(rotation_looks_along_the_eye), cmocka_unit_test(perspective_fits_the_window),
         cmocka_unit_test(refuses_what_cannot_be_seen),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

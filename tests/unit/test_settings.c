@@ -141,10 +141,33 @@ static void view_keeps_what_is_left_out(void **state) {
     assert_true(!s->view.from);
     assert_int_equal(fixture_feed(f, "set view 10,20,0"), ERR_VALUE);
     assert_true(fixture_double(s->view.rot_x) == 50); /* nothing of a wrong command is kept */
-    assert_int_equal(fixture_feed(f, "set view equal xyz; set view azimuth 10"), 0);
+    assert_int_equal(fixture_feed(f, "set view 10,20; set view equal xyz; show view"), 0);
+    assert_string_equal(f->out, "set view 10,20,1.5,0.7\nset view equal xyz\n");
+    assert_int_equal(s->view.equal, 3);
+    assert_int_equal(fixture_feed(f, "set view equal xy"), 0);
+    assert_int_equal(s->view.equal, 2);
+    assert_int_equal(fixture_feed(f, "set view equal yz"), ERR_SYNTAX);
+    assert_int_equal(fixture_feed(f, "set view noequal_axes; set view azimuth 10"), 0);
+    assert_int_equal(s->view.equal, 0);
     assert_non_null(strstr(f->err, "ignored"));
     assert_int_equal(fixture_feed(f, "unset view"), 0);
     assert_true(fixture_double(s->view.rot_z) == 30);
+}
+
+/* As gnuplot: what is compiled while degrees are set computes with them. */
+static void angles_are_degrees_if_so_set(void **state) {
+    fixture_t *f = *state;
+    assert_int_equal(fixture_feed(f, "set angles degrees; g(x) = sin(x); a = 30\n"
+                                     "print sin(90), cos(60), tan(45), asin(1), acos(0), atan(1), atan2(1,-1), sin(a), "
+                                     "g(30), exp(0)\nshow angles"),
+                     0);
+    assert_string_equal(f->out, "1.0 0.5 1.0 90.0 90.0 45.0 135.0 0.5 0.5 1.0\nset angles degrees\n");
+    assert_int_equal(
+        fixture_feed(f, "set angles; print atan(1)*4; set angles deg; unset angles; print atan(1)*4; set ang d; reset"
+                        "; print atan(1)*4"),
+        0);
+    assert_string_equal(f->out, "3.14159265358979\n3.14159265358979\n3.14159265358979\n");
+    assert_int_equal(fixture_feed(f, "set angles grads"), ERR_SYNTAX);
 }
 
 static void paper(void **state) {
@@ -223,6 +246,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(border_and_tics, setup, teardown),
         cmocka_unit_test_setup_teardown(ranges, setup, teardown),
         cmocka_unit_test_setup_teardown(view_keeps_what_is_left_out, setup, teardown),
+        cmocka_unit_test_setup_teardown(angles_are_degrees_if_so_set, setup, teardown),
+        cmocka_unit_test_setup_teardown(angles_are_degrees_if_so_set, setup, teardown),
         cmocka_unit_test_setup_teardown(paper, setup, teardown),
         cmocka_unit_test_setup_teardown(hidden3d, setup, teardown),
         cmocka_unit_test_setup_teardown(titles, setup, teardown),
