@@ -4,6 +4,8 @@
 
 #include <errno.h>
 #include <limits.h>
+#include <setjmp.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,9 +32,20 @@ typedef struct watch {
     double begun[PICTURE_DONE + 1]; /* [PICTURE_DONE]: when the picture was finished */
 } watch_t;
 
+/* Where a drawing that is stopped is left from: the core holds nothing that would have to be given back. */
+static jmp_buf stopped;
+static volatile sig_atomic_t is_drawing, is_to_stop;
+
+bool job_stop(void) {
+    if (!is_drawing || is_to_stop) return false;
+    is_to_stop = 1;
+    return true;
+}
+
 static void on_progress(void *ctx, enum picture_stage stage, int32_t done, int32_t of) {
     static const char *const WHAT[] = {"evaluating", "hiding lines", "ordering strokes"};
     watch_t *w = ctx;
+    if (is_to_stop) longjmp(stopped, 1);
     if (stage >= PICTURE_DONE) return;
     if (w->begun[stage] <= 0) w->begun[stage] = progress_now();
     progress_update(WHAT[stage], done, of);
@@ -127,7 +140,16 @@ static int draw_page(job_t *job, const plot_t *plot, char **name) {
     d->width_um = settings->paper.width_um;
     d->height_um = settings->paper.height_um;
     drawing_set_title(d, settings->title);
+    is_to_stop = 0;
+    if (setjmp(stopped)) {
+        is_drawing = 0;
+        progress_wipe();
+        fprintf(stderr, "ridgeline: stopped; nothing was written\n");
+        return job->trouble = ERR_STOPPED;
+    }
+    is_drawing = 1;
     int err = draw(job, plot, &picture, &watch);
+    is_drawing = 0;
     if (err) return err;
 
     job->pages++;

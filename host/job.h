@@ -40,5 +40,8 @@ void job_free(job_t *job);
 /* Draws one page. Returns 0 or a negative error; what concerns files and memory has been said on stderr, the rest is
  * for the caller to say. */
 int job_draw(job_t *job, const plot_t *plot);
+/* For a signal handler: the page that is being drawn is given up before anything of it is written, and job_draw returns
+ * ERR_STOPPED. False if none is, or it has been asked for already. */
+bool job_stop(void);
 
 #endif

@@ -48,7 +48,7 @@ static int run_scene(const options_t *o, FILE *scene, const char *name) {
     configure(&job, o);
     job.name = base_name(name, base, sizeof base);
     if (o->stats) {
-        job.stats = fopen(o->stats, "w");
+        job.stats = strcmp(o->stats, "-") == 0 ? stdout : fopen(o->stats, "w");
         if (!job.stats) return cannot(o->stats, SCRIPT_TROUBLE);
         report_json_begin(job.stats, name);
     }
@@ -58,9 +58,11 @@ static int run_scene(const options_t *o, FILE *scene, const char *name) {
     int status = script_status(err);
     if (job.stats) {
         report_json_end(job.stats);
-        int bad = ferror(job.stats);
-        if (fclose(job.stats) != 0 || bad) status = cannot(o->stats, SCRIPT_TROUBLE);
+        int bad = fflush(job.stats) != 0 || ferror(job.stats);
+        if ((job.stats != stdout && fclose(job.stats) != 0) || bad) status = cannot(o->stats, SCRIPT_TROUBLE);
     }
+    if (!err && job.pages && !job.outputs && !job.stats && !job.table && !job.gpio.pins)
+        fprintf(stderr, "ridgeline: nothing was written; -o FILE says where a drawing goes\n");
     job_free(&job);
     return status;
 }

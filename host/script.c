@@ -128,6 +128,7 @@ void script_source(const char *name) {
     session_source(&script.session, name);
 }
 int script_line(const char *text) {
+    script.job->trouble = 0;
     return session_line(&script.session, text);
 }
 void script_cancel(void) {

@@ -61,6 +61,28 @@ END
     [ ! -e a.svg ]
 }
 
+ctrl_c_stops_a_plot_at_the_prompt() {
+    at_terminal "$RIDGELINE" >out <<'END'
+wait ridgeline> 
+type set isosamples 30000; splot sin(x)*cos(y)\n
+wait %
+type \003
+wait stopped
+wait ridgeline> 
+type set isosamples 8; replot\n
+wait plot.svg
+wait ridgeline> 
+type quit\n
+END
+    [ -s plot.svg ]
+}
+
+# What was said of one line does not silence the next.
+trouble_with_a_file_is_over_with_the_next_line() {
+    says 'splot x' 'splot x+*y' quit | at_terminal "$RIDGELINE" -o missing/a.svg >out
+    expect_text out 'missing/a.svg: No such file' '^'
+}
+
 the_end_of_input_ends_it() {
     says 'print 40+2' >dialogue
     printf 'wait \\n42\nwait ridgeline> \nkeys\ntype \\004\n' >>dialogue
@@ -83,7 +105,8 @@ without_a_terminal_it_reads_a_script() {
 
 if at_terminal true </dev/null >/dev/null 2>&1; then
     run_tests a_plot_at_the_prompt_becomes_plot_svg an_error_does_not_end_it outputs_can_be_chosen ctrl_c_takes_a_line_back \
-        ctrl_c_ends_a_plot_that_takes_too_long the_end_of_input_ends_it history_is_kept without_a_terminal_it_reads_a_script
+        ctrl_c_ends_a_plot_that_takes_too_long ctrl_c_stops_a_plot_at_the_prompt \
+        trouble_with_a_file_is_over_with_the_next_line the_end_of_input_ends_it history_is_kept without_a_terminal_it_reads_a_script
 else
     echo "# the prompt itself is not tested: no pseudo-terminal can be had here"
     run_tests without_a_terminal_it_reads_a_script
