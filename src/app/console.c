@@ -95,18 +95,22 @@ static int port_plot(void *ctx, const plot_t *plot) {
     return console_draw(ctx, plot);
 }
 
-/* The machine's numbers are kept when a command sets them; `reset` is about pictures and leaves them. */
-static void after_line(console_t *c, const char *line, int err) {
-    int32_t column = c->session.error.column; /* counted from 1; what stands before it has been done */
-    keep_line(&c->keep, line, !err ? SIZE_MAX : column > 0 ? (size_t)column - 1 : 0);
-    if (c->session.lang.symbols <= c->own_symbols) keep_clear(&c->keep);
-    if (strstr(line, "mach")) c->machine_line = true;
-    if (c->loading || session_state(&c->session) == SESSION_MORE) return;
+/* The machine's numbers are kept when a command sets them; `reset` is about pictures and leaves them. Not while the
+ * command goes on: what is asked of the session then would be taken for its next line, or for inline data. */
+static void after_command(console_t *c) {
+    if (c->loading || session_state(&c->session) != SESSION_READY) return;
     if (!c->machine_line)
         c->session.settings.machine = c->kept_machine;
     else if (console_keep_settings(c))
         say("error: the machine's settings could not be kept\n");
     c->machine_line = false;
+}
+
+static void after_line(console_t *c, const char *line, int err) {
+    int32_t column = c->session.error.column; /* counted from 1; what stands before it has been done */
+    keep_line(&c->keep, line, !err ? SIZE_MAX : column > 0 ? (size_t)column - 1 : 0);
+    if (c->session.lang.symbols <= c->own_symbols) keep_clear(&c->keep);
+    if (strstr(line, "mach")) c->machine_line = true;
 }
 
 int console_execute(console_t *c, const char *line) {
@@ -116,6 +120,7 @@ int console_execute(console_t *c, const char *line) {
     err = session_line(&c->session, line);
     c->session.quit = false; /* there is nowhere to go */
     if (!was_data) after_line(c, line, err);
+    after_command(c);
     return err;
 }
 
