@@ -28,6 +28,7 @@ static size_t hiding_bytes(const plot_t *plot, int32_t each, bool holes) {
     if (plot->kind == PLOT_SOLIDS && s->hidden != HIDDEN_HORIZON) return picture_solids_bytes(plot);
     if (plot->kind == PLOT_CURVES || s->hidden == HIDDEN_NONE) return 0;
     if (s->hidden == HIDDEN_HORIZON) return horizon_bytes(each * s->samples[0]);
+    if (s->hidden == HIDDEN_HALO) return picture_halo_bytes(plot, each);
     const surface_t *f = &plot->item[0].surface;
     size_t one = perimeter_bytes(f->nx, each * (f->nx + f->ny) * (holes || plot->n > 1 ? 3 : 1));
     return one * (size_t)plot->n;

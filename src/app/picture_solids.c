@@ -26,6 +26,7 @@ size_t picture_solids_bytes(const plot_t *plot) {
     }
     size_t bytes = solid_bytes(mesh, n) + SOLID_MAP_BYTES(vertices);
     if (plot->settings->hidden == HIDDEN_NONE) return bytes;
+    if (plot->settings->hidden == HIDDEN_HALO) return bytes + picture_halo_bytes(plot, 4);
     return bytes + convex_bytes(faces, corners, segments);
 }
 
@@ -54,7 +55,7 @@ static int build(picture_t *p) {
 
 int picture_solids(picture_t *p, const pen_sink_t *pen) {
     const settings_t *set = p->plot->settings;
-    if (set->hidden == HIDDEN_HALO || set->hidden == HIDDEN_AREA) return ERR_UNSUPPORTED;
+    if (set->hidden == HIDDEN_AREA) return ERR_UNSUPPORTED;
     int err = build(p);
     if (err) return err;
     size_t kernel_bytes = 0;
@@ -67,6 +68,8 @@ int picture_solids(picture_t *p, const pen_sink_t *pen) {
     const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p, false};
     if (set->hidden == HIDDEN_NONE)
         err = wires_draw(&p->solid_map, &job, &p->stats.hidden);
+    else if (set->hidden == HIDDEN_HALO)
+        err = picture_halo_solids(p, &job);
     else
         err = convex_draw(&p->solid_map, set->dashed ? &hidden : NULL, &job, &p->stats.hidden);
     p->stats.facets = p->solid.nf;

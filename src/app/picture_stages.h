@@ -9,6 +9,10 @@ int picture_surfaces(picture_t *p, const pen_sink_t *pen); /* picture_surfaces.c
 int picture_profiles(picture_t *p, const pen_sink_t *pen); /* picture_profiles.c */
 int picture_curves(picture_t *p, const pen_sink_t *pen);   /* picture_curves.c */
 int picture_solids(picture_t *p, const pen_sink_t *pen);   /* picture_solids.c */
+/* What set hidden3d halo does with either scene, once it is open; job's memory is the kernel's. */
+int picture_halo_surfaces(picture_t *p, const hidden_job_t *job); /* picture_halo.c */
+int picture_halo_solids(picture_t *p, const hidden_job_t *job);
+size_t picture_halo_bytes(const plot_t *plot, int32_t crossings_each);
 /* Bytes that putting solids together and hiding their lines takes, but for freakish scenes. */
 size_t picture_solids_bytes(const plot_t *plot);
 /* A terrain that is cut into profiles? Otherwise PLOT_SOLIDS are solids. */

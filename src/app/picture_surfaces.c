@@ -130,11 +130,14 @@ static int draw(picture_t *p, const pen_sink_t *pen) {
     if (!err) err = picture_open(p, pen, growing, 4 * points);
     if (err) return err;
 
-    if (isolines || (p->spaces == 1 && is_vertical(&p->camera, lo, hi))) {
+    const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p, picture_in_turn(p)};
+    if (plot->settings->hidden == HIDDEN_HALO) {
+        err = picture_halo_surfaces(p, &job);
+        p->stats.kernel_bytes = p->stats.hidden.bytes;
+    } else if (isolines || (p->spaces == 1 && is_vertical(&p->camera, lo, hi))) {
         err = draw_plain(p, isolines);
         for (int32_t k = 0; k < p->spaces; k++) p->stats.facets += (int64_t)(p->grid[k].nx - 1) * (p->grid[k].ny - 1);
     } else {
-        const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p, picture_in_turn(p)};
         grid_t *grid[PICTURE_LINES_MAX];
         for (int32_t k = 0; k < p->spaces; k++) grid[k] = &p->grid[k];
         err = perimeter_draw_several(grid, p->spaces, &p->camera, &job, &p->stats.hidden);

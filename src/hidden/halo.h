@@ -9,7 +9,7 @@
  * What is decided, all of it from integers and without rounding:
  * - Two edges cross if they have exactly one point of the page in common, their ends included.
  * - The order there is the sign of a determinant (the volume of the two edges' tetrahedron). Edges that pass each other
- *   so closely that a change of the end points by one unit could reverse the order are in contact, and do not cut each
+ *   so closely that moving their ends by `contact` units could reverse the order are in contact, and do not cut each
  *   other: edges that meet in a vertex, bars that lie in one plane, a beam that ends on another.
  * - Edges on one line of the page (parallel ones, dots) do not cross.
  * The farther edge loses W / sin(angle) to either side of a crossing, measured along it: the strip of halfwidth W along
@@ -36,6 +36,7 @@
 #define HALO_Z_MAX (INT32_C(1) << 28)  /* |z| */
 #define HALO_EDGES_MAX (1 << 24)
 #define HALO_WIDTH_MIN 16 /* or 0 */
+#define HALO_CONTACT_MAX (1 << 16)
 #define HALO_WIDTH_MAX (INT32_C(1) << 24)
 #define HALO_BYTES_PER_EDGE 56 /* at most, and 512 in all */
 #define HALO_BYTES_PER_CROSSING 16
@@ -75,6 +76,7 @@ typedef struct halo {
     halo_crossing_t *crossing; /* grouped by edge: first[e] .. first[e + 1] - 1 */
     uint32_t *first;
     int64_t crossings, room; /* found; that there is memory for */
+    int32_t contact;         /* units, 1 .. HALO_CONTACT_MAX; 1 after halo_init, for ends that were rounded once */
     int32_t reach;
     uint8_t *joined; /* with a reach: which ends of an edge other edges share */
     bool joining;    /* CUT is only looking for those */

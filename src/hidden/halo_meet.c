@@ -23,19 +23,20 @@ static uint32_t length_of(const halo_edge_t *e, int *half) {
     return (uint32_t)(wide_mul_u32(top, ints_rsqrt(top)) >> 30);
 }
 
-/* The sign of z of a minus z of b where they cross, or 0 if that is too close to call: with e = 1 unit of error in each
- * coordinate of the ends, the volume V = of * (z_a - z_b) changes by less than
- * 2 e (of + |dz_a| (|dx_b| + |dy_b|) + |dz_b| (|dx_a| + |dy_a|)) to first order. */
-static int order(const halo_edge_t *a, const halo_edge_t *b, const halo_meeting_t *m) {
+/* The sign of z of a minus z of b where they cross, or 0 if that is too close to call: with an error of `contact` units
+ * in each coordinate of the ends, the volume V = of * (z_a - z_b) changes by less than 2 contact (of + |dz_a| (|dx_b| +
+ * |dy_b|) + |dz_b| (|dx_a| + |dy_a|)) to first order. */
+static int order(const halo_edge_t *a, const halo_edge_t *b, const halo_meeting_t *m, int32_t contact) {
     const int32_t za = a->q.z - a->p.z, zb = b->q.z - b->p.z;
     wide_t v = wide_mul_s64(m->of, a->p.z - b->p.z);
     v = wide_add(v, wide_mul_s64(m->a, za));
     v = wide_sub(v, wide_mul_s64(m->b, zb));
-    /* of < 2^61, products < 2^29 2^31 */
-    const uint64_t error = (uint64_t)m->of + size64(za) * size_of_sum(b->q.x - b->p.x, b->q.y - b->p.y) +
-                           size64(zb) * size_of_sum(a->q.x - a->p.x, a->q.y - a->p.y);
+    /* of < 2^61, products < 2^29 2^31, contact 2^16 */
+    const uint64_t change = (uint64_t)m->of + size64(za) * size_of_sum(b->q.x - b->p.x, b->q.y - b->p.y) +
+                            size64(zb) * size_of_sum(a->q.x - a->p.x, a->q.y - a->p.y);
+    const wide_u_t most = wide_mul_u64_u32(change, 2 * (uint32_t)contact);
     const wide_t size = v.hi < 0 ? wide_neg(v) : v;
-    if (size.hi == 0 && size.lo <= 2 * error) return 0;
+    if (wide_cmp(size, (wide_t){(int64_t)most.hi, most.lo}) <= 0) return 0;
     return v.hi < 0 ? -1 : 1;
 }
 
@@ -68,7 +69,7 @@ static void note(halo_t *h, const halo_crossing_t *x) {
 
 void halo_take(halo_t *h, uint32_t i, uint32_t j, const halo_meeting_t *m) {
     const halo_edge_t *a = &h->edge[i], *b = &h->edge[j];
-    const int front = order(a, b, m);
+    const int front = order(a, b, m, h->contact);
     if (front == 0) return;
     const halo_edge_t *far = front < 0 ? a : b, *near = front < 0 ? b : a;
     const uint64_t at = (uint64_t)(front < 0 ? m->a : m->b), on = (uint64_t)(front < 0 ? m->b : m->a);
@@ -149,7 +150,7 @@ void halo_take_near(halo_t *h, uint32_t i, uint32_t j) {
         if (ahead > up) up = ahead;
         if (ahead < down) down = ahead;
     }
-    if (up == -down || (up <= 2 * ONE_Q30 && down >= -2 * ONE_Q30)) return;
+    if (up == -down || (up <= 2 * h->contact * ONE_Q30 && down >= -2 * h->contact * ONE_Q30)) return;
     const bool behind = -down > up;
     bool free = false; /* an end of the nearer edge */
     for (int k = 0; k < 4; k++) {

@@ -10,8 +10,8 @@ static const char overview[] =
     "splot f(x,y)       draw a surface; also a data file: splot 'hill.dat', or several: splot f(x,y), 'hill.dat'\n"
     "plot f(x)          draw a curve\n"
     "replot             draw the last plot again with the present settings\n"
-    "set/unset/show     xrange yrange zrange samples isosamples view hidden3d title xyplane\n"
-    "                   paper machine dummy datafile; show all\n"
+    "set/unset/show     xrange yrange zrange samples isosamples view hidden3d halo title\n"
+    "                   xyplane paper machine dummy datafile; show all\n"
     "a = 3              set a variable;  f(x,y) = x*y  define a function\n"
     "print a, f(1,2)    compute\n"
     "load 'file'  pause -1 'text'  reset  quit  help [word]\n"
@@ -48,7 +48,11 @@ static const topic_t topics[] = {
     {"hid$den3d",
      "set hidden3d [perimeter]             hidden lines removed, the default\n"
      "set hidden3d horizon [infinite]      profiles across the view (a ridgeline drawing); infinite: one side only\n"
+     "set hidden3d halo                    every line is drawn, with a gap where it passes behind another: help halo\n"
      "unset hidden3d                       every line is drawn\n"},
+    {"halo",
+     "set halo W [ends]: with set hidden3d halo, a line is interrupted for W mm to either side of a nearer one (0.5).\n"
+     "ends: also where it only comes that close to a nearer line, beside it or beyond its end. 0 is no halo.\n"},
     {"xr$ange", "set xrange [FROM:TO]   [*:5] leaves an end to the data, [5:-5] turns the axis round\n"},
     {"yr$ange", "set yrange [FROM:TO]   see help xrange\n"},
     {"zr$ange", "set zrange [FROM:TO]   heights outside of it are not drawn; see help xrange\n"},

@@ -129,6 +129,8 @@ int set_command(session_t *s, lexer_t *lx) {
         return set_datafile(s, lx, index, &word);
     case SET_DUMMY:
         return set_dummy(s, lx);
+    case SET_HALO:
+        return set_halo(s, lx);
     case SET_HIDDEN3D:
         return set_hidden3d(s, lx);
     case SET_ISOSAMPLES:
@@ -210,6 +212,10 @@ int set_unset_command(session_t *s, lexer_t *lx) {
     case SET_DUMMY:
         memcpy(s->dummy[0], "x", 2);
         memcpy(s->dummy[1], "y", 2);
+        return 0;
+    case SET_HALO:
+        set->halo_um = fresh.halo_um;
+        set->halo_ends = fresh.halo_ends;
         return 0;
     case SET_HIDDEN3D:
         set->hidden = HIDDEN_NONE;

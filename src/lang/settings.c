@@ -9,6 +9,7 @@ void settings_default(settings_t *s) {
     s->samples[0] = s->samples[1] = 100;
     s->isosamples[0] = s->isosamples[1] = 10;
     s->hidden = HIDDEN_PERIMETER;
+    s->halo_um = 500;
     s->view.rot_x = num_from_i64(60);
     s->view.rot_z = num_from_i64(30);
     s->view.scale = s->view.zscale = one;

@@ -17,7 +17,7 @@ enum hidden_mode {
     HIDDEN_PERIMETER, /* default: perimeter for surfaces, convex for solids */
     HIDDEN_HORIZON,
     HIDDEN_NONE,
-    HIDDEN_CONVEX, /* this and the next two are for solids; surfaces take the perimeter */
+    HIDDEN_CONVEX, /* this and area are for solids; surfaces take the perimeter */
     HIDDEN_HALO,
     HIDDEN_AREA,
 };
@@ -31,6 +31,8 @@ typedef struct settings {
     enum hidden_mode hidden;
     bool dashed;           /* set hidden3d dashed: hidden parts of solids are drawn with dashes */
     bool horizon_infinite; /* set hidden3d horizon infinite: upper side only */
+    int32_t halo_um;       /* set halo W: to each side of a nearer line; 500 */
+    bool halo_ends;        /* set halo W ends: also beyond its ends and beside it */
     struct {
         bool from;           /* set view from ...: perspective; otherwise gnuplot's rotation */
         num_t rot_x, rot_z;  /* degrees; 60, 30 */

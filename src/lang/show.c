@@ -182,6 +182,10 @@ static bool show_option(session_t *s, uint8_t id) {
     case SET_HIDDEN3D:
         show_hidden(&t, set);
         break;
+    case SET_HALO:
+        show_value(&t, "set halo ", set->halo_um, 3);
+        text_add(&t, set->halo_ends ? " ends\n" : "\n");
+        break;
     case SET_VIEW:
         show_view(&t, set);
         break;
@@ -231,9 +235,9 @@ static bool show_option(session_t *s, uint8_t id) {
 }
 
 int show_command(session_t *s, lexer_t *lx) {
-    static const uint8_t all[] = {SET_TITLE,      SET_XRANGE,   SET_YRANGE,    SET_ZRANGE,   SET_XYPLANE, SET_SAMPLES,
-                                  SET_ISOSAMPLES, SET_VIEW,     SET_HIDDEN3D,  SET_PAPER,    SET_MACHINE, SET_ANGLES,
-                                  SET_DUMMY,      SET_DATAFILE, SET_VARIABLES, SET_FUNCTIONS};
+    static const uint8_t all[] = {SET_TITLE,      SET_XRANGE, SET_YRANGE,   SET_ZRANGE,    SET_XYPLANE,  SET_SAMPLES,
+                                  SET_ISOSAMPLES, SET_VIEW,   SET_HIDDEN3D, SET_HALO,      SET_PAPER,    SET_MACHINE,
+                                  SET_ANGLES,     SET_DUMMY,  SET_DATAFILE, SET_VARIABLES, SET_FUNCTIONS};
     if (session_at_end(lx)) return lexer_unexpected(lx, &s->error, "an option expected; try `show all`");
     lexer_t word = *lx;
     bool plot = lexer_is_almost(lx, "p$lot");

@@ -107,6 +107,7 @@ const word_t words_set[] = {
     {"fo$rmat", SET_IGNORED},
     {"fu$nctions", SET_FUNCTIONS},
     {"g$rid", SET_IGNORED},
+    {"halo", SET_HALO},
     {"hid$den3d", SET_HIDDEN3D},
     {"historys$ize", SET_IGNORED},
     {"his$tory", SET_IGNORED},

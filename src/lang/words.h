@@ -42,6 +42,7 @@ enum set_id {
     SET_AUTOSCALE,
     SET_DATAFILE,
     SET_DUMMY,
+    SET_HALO,
     SET_HIDDEN3D,
     SET_ISOSAMPLES,
     SET_MACHINE,

@@ -6,8 +6,7 @@
 #define PLANES 5
 
 /* Signed distances to the window's planes; >= 0 is inside. |h| < 2^60 and window * E < 2^60. */
-static void distances(const line_space_t *s, const page_h_t *h, int64_t out[PLANES]) {
-    const page_window_t *w = s->window;
+static void distances(const line_space_t *s, const page_window_t *w, const page_h_t *h, int64_t out[PLANES]) {
     out[0] = h->x - w->x0_lat * h->e;
     out[1] = w->x1_lat * h->e - h->x;
     out[2] = h->y - w->y0_lat * h->e;
@@ -15,14 +14,11 @@ static void distances(const line_space_t *s, const page_h_t *h, int64_t out[PLAN
     out[4] = h->e - s->near_e;
 }
 
-/* The part [*from, *to] of one cell's stretch that is inside; false if none is. */
-static bool clip_cell(const line_space_t *s, const ink_piece_t *p, int64_t *from, int64_t *to) {
-    page_h_t h0, h1;
-    if (!s->at(s->ctx, p->family, p->line, *from, &h0)) return false;
-    if (!s->at(s->ctx, p->family, p->line, *to, &h1)) return false;
+bool cut_between(const line_space_t *s, const page_window_t *w, const page_h_t *h0, const page_h_t *h1, int64_t *from,
+                 int64_t *to) {
     int64_t d0[PLANES], d1[PLANES], a = *from, b = *to, length = b - a;
-    distances(s, &h0, d0);
-    distances(s, &h1, d1);
+    distances(s, w, h0, d0);
+    distances(s, w, h1, d1);
     for (int k = 0; k < PLANES; k++) {
         if (d0[k] >= 0 && d1[k] >= 0) continue;
         if (d0[k] < 0 && d1[k] < 0) return false;
@@ -39,6 +35,14 @@ static bool clip_cell(const line_space_t *s, const ink_piece_t *p, int64_t *from
     *from = a;
     *to = b;
     return a < b;
+}
+
+/* The part [*from, *to] of one cell's stretch that is inside; false if none is. */
+static bool clip_cell(const line_space_t *s, const ink_piece_t *p, int64_t *from, int64_t *to) {
+    page_h_t h0, h1;
+    if (!s->at(s->ctx, p->family, p->line, *from, &h0)) return false;
+    if (!s->at(s->ctx, p->family, p->line, *to, &h1)) return false;
+    return cut_between(s, s->window, &h0, &h1, from, to);
 }
 
 static int cut_piece(void *ctx, const ink_piece_t *p) {

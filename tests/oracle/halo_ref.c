@@ -68,7 +68,7 @@ static real changes(const halo_edge_t *e) {
 }
 
 /* How two edges meet: the common point, if there is just one, and their depths there. */
-static enum meeting meet(const halo_edge_t *a, const halo_edge_t *b) {
+static enum meeting meet(const halo_edge_t *a, const halo_edge_t *b, int32_t contact) {
     mpz_t of, on_a, on_b;
     mpq_t s, t, za, zb, slack;
     enum meeting m = APART;
@@ -95,7 +95,7 @@ static enum meeting meet(const halo_edge_t *a, const halo_edge_t *b) {
             mpq_add(zb, zb, slack);
             mpq_sub(za, za, zb);
             m = mpq_sgn(za) > 0 ? A_NEARER : B_NEARER;
-            /* contact: |difference| <= 2 + 2 (|dz_a| |d_b| + |dz_b| |d_a|) / |of| */
+            /* contact: |difference| <= 2 contact (1 + (|dz_a| |d_b| + |dz_b| |d_a|) / |of|) */
             mpq_abs(za, za);
             mpz_abs(of, of);
             mpq_set_num(slack, of), mpz_set_si(mpq_denref(slack), 1);
@@ -108,7 +108,7 @@ static enum meeting meet(const halo_edge_t *a, const halo_edge_t *b) {
             mpz_set_d(term, (double)changes(a));
             mpz_mul_si(term, term, labs((long)b->q.z - b->p.z));
             mpz_add(sum, sum, term);
-            mpz_mul_ui(sum, sum, 2);
+            mpz_mul_ui(sum, sum, 2 * (unsigned long)contact);
             mpq_set_z(slack, sum);
             if (mpq_cmp(za, slack) <= 0) m = CONTACT;
             mpz_clears(sum, term, NULL);
@@ -150,7 +150,7 @@ static bool goes_on(const halo_edge_t *edge, int n, int e, int end) {
 }
 
 /* The gaps of edge f because of edge k, not crossing, by the rule for ends; appended. */
-static int near_gap(const halo_edge_t *edge, int n, int f, int k, real width, interval_t *gap) {
+static int near_gap(const halo_edge_t *edge, int n, int f, int k, real width, int32_t contact, interval_t *gap) {
     interval_t g;
     if (!clip(&edge[f], &edge[k], width, &g)) return 0;
     near_place_t p[4] = {place(&edge[f], &edge[k], 0), place(&edge[f], &edge[k], 1), place(&edge[k], &edge[f], 0),
@@ -165,8 +165,10 @@ static int near_gap(const halo_edge_t *edge, int n, int f, int k, real width, in
         const int end = i < 2 ? p[i].end_b : p[i].end_a;
         if (p[i].distance > least + 2) continue;
         const bool takes = ahead < 0 && !goes_on(edge, n, k, end);
-        yes += takes || fabsl(ahead) <= p[i].slack;
-        no += !takes || fabsl(ahead) <= p[i].slack;
+        const bool clear = fabsl(ahead) > 2 * contact + p[i].slack;
+        const bool touch = fabsl(ahead) < 2 * contact - p[i].slack;
+        yes += !touch && (takes || !clear);
+        no += !takes || !clear;
     }
     if (yes == 0) return 0;
     g.open = no > 0;
@@ -204,7 +206,7 @@ static int unite(interval_t *v, int n) {
     return out;
 }
 
-halo_ref_report_t halo_ref_judge(const halo_edge_t *edge, int n, int32_t width, bool ends,
+halo_ref_report_t halo_ref_judge(const halo_edge_t *edge, int n, int32_t width, bool ends, int32_t contact,
                                  const halo_ref_piece_t *piece, int pieces) {
     halo_ref_report_t r = {.edge = -1};
     const size_t most = (size_t)n + (size_t)pieces + 2;
@@ -216,12 +218,12 @@ halo_ref_report_t halo_ref_judge(const halo_edge_t *edge, int n, int32_t width, 
         for (int k = 0; k < n && width > 0; k++) {
             if (k == f) continue;
             interval_t g;
-            const enum meeting m = meet(&edge[f], &edge[k]);
+            const enum meeting m = meet(&edge[f], &edge[k], contact);
             r.contacts += m == CONTACT;
             if (m == B_NEARER) {
                 r.crossings++;
                 if (!clip(&edge[f], &edge[k], width, &g)) continue;
-            } else if (!ends || (m != APART && m != PARALLEL) || !near_gap(edge, n, f, k, width, &g)) {
+            } else if (!ends || (m != APART && m != PARALLEL) || !near_gap(edge, n, f, k, width, contact, &g)) {
                 continue;
             }
             r.open += g.open;

@@ -26,7 +26,7 @@ typedef struct halo_ref_report {
 } halo_ref_report_t;
 
 /* Judges the pieces (any order) of the edges' drawing with haloes of `width`. */
-halo_ref_report_t halo_ref_judge(const halo_edge_t *edge, int n, int32_t width, bool ends,
+halo_ref_report_t halo_ref_judge(const halo_edge_t *edge, int n, int32_t width, bool ends, int32_t contact,
                                  const halo_ref_piece_t *piece, int pieces);
 
 #endif

@@ -1,0 +1,124 @@
+/* picture_halo.c - wire frames of solids and of grids as sources for haloed lines. */
+#include "app/picture_stages.h"
+
+#include "hidden/halo.h"
+#include "hidden/halo_ink.h"
+#include "view/page.h"
+
+/* A width in um as lat; what is set fits. */
+static int32_t width_lat(const settings_t *s) {
+    return (int32_t)((int64_t)s->halo_um * LAT_PER_MM / 1000);
+}
+
+/* Edges of a grid: first those of rows, row by row, then those of columns. */
+static int32_t row_edges(const grid_t *g) {
+    return (g->nx - 1) * g->ny;
+}
+static int32_t grid_edges(const grid_t *g) {
+    return row_edges(g) + g->nx * (g->ny - 1);
+}
+
+typedef struct frames {
+    picture_t *p;
+    num_t middle[3], weight[3]; /* parallel: depth is the sum of weight * (place - middle) */
+} frames_t;
+
+/* Along a line of sight anything grows that has a positive product with its direction. Measured in parts of the box,
+ * nothing is lost when its sides differ by orders. */
+static void weigh(frames_t *f) {
+    const camera_t *cam = &f->p->camera;
+    num_t lo[3], hi[3], all = num_from_i64(0);
+    for (int axis = 0; axis < 3; axis++) {
+        for (int32_t k = 0; k < f->p->spaces; k++) {
+            const grid_t *g = &f->p->grid[k];
+            const surface_t *s = g->src;
+            const num_t from[3] = {s->x_of(s->ctx, 0), s->y_of(s->ctx, 0), g->z_min};
+            const num_t to[3] = {s->x_of(s->ctx, g->nx - 1), s->y_of(s->ctx, g->ny - 1), g->z_max};
+            if (k == 0 || num_cmp(from[axis], lo[axis]) < 0) lo[axis] = from[axis];
+            if (k == 0 || num_cmp(to[axis], hi[axis]) > 0) hi[axis] = to[axis];
+        }
+        const num_t side = num_sub(hi[axis], lo[axis]);
+        f->middle[axis] = num_ldexp(num_add(lo[axis], hi[axis]), -1);
+        f->weight[axis] = num_from_i64(0);
+        if (num_sign(side) == 0) continue;
+        f->weight[axis] = num_div(cam->eye[axis], num_mul(side, side));
+        all = num_add(all, num_mul(num_abs(f->weight[axis]), side));
+    }
+    if (num_sign(all) == 0) return;
+    for (int axis = 0; axis < 3; axis++)
+        f->weight[axis] = num_div(num_mul(f->weight[axis], num_from_i64(HALO_INK_DEPTH)), all);
+}
+
+static int32_t depth_of(const frames_t *f, const grid_t *g, int32_t i, int32_t j) {
+    int32_t zi = 0;
+    grid_height((grid_t *)(uintptr_t)g, i, j, &zi);
+    const surface_t *s = g->src;
+    const num_t at[3] = {s->x_of(s->ctx, i), s->y_of(s->ctx, j),
+                         num_add(g->z_origin, num_ldexp(num_from_i64(zi), g->z_exp))};
+    num_t sum = num_from_i64(0);
+    for (int k = 0; k < 3; k++) sum = num_add(sum, num_mul(f->weight[k], num_sub(at[k], f->middle[k])));
+    return (int32_t)num_to_fixed(sum, 0, NULL);
+}
+
+static bool grid_edge(void *ctx, int32_t e, ink_piece_t *ink, page_h_t end[2], int32_t depth[2]) {
+    const frames_t *f = ctx;
+    int32_t k = 0;
+    for (; e >= grid_edges(&f->p->grid[k]); k++) e -= grid_edges(&f->p->grid[k]);
+    const grid_t *g = &f->p->grid[k];
+    const bool row = e < row_edges(g);
+    if (!row) e -= row_edges(g);
+    const int32_t cells = (row ? g->nx : g->ny) - 1, line = e / cells, cell = e % cells;
+    *ink = (ink_piece_t){.family = row ? INK_ROW : INK_COL, .surface = (uint8_t)k, .line = line};
+    ink->from_q30 = cell * INK_ONE;
+    ink->to_q30 = ink->from_q30 + INK_ONE;
+    const line_space_t *s = &f->p->lines[k];
+    if (!s->at(s->ctx, ink->family, line, ink->from_q30, &end[0])) return false;
+    if (!s->at(s->ctx, ink->family, line, ink->to_q30, &end[1])) return false;
+    for (int at = 0; at < 2 && !s->perspective; at++)
+        depth[at] = depth_of(f, g, row ? cell + at : line, row ? line : cell + at);
+    return true;
+}
+
+int picture_halo_surfaces(picture_t *p, const hidden_job_t *job) {
+    frames_t f = {.p = p};
+    halo_source_t source = {.ctx = &f, .lines = p->lines, .surfaces = p->spaces, .edge = grid_edge};
+    for (int32_t k = 0; k < p->spaces; k++) {
+        source.edges += grid_edges(&p->grid[k]);
+        p->stats.facets += (int64_t)(p->grid[k].nx - 1) * (p->grid[k].ny - 1);
+    }
+    weigh(&f);
+    const settings_t *s = p->plot->settings;
+    return halo_ink_draw(&source, width_lat(s), s->halo_ends, job, &p->stats.hidden);
+}
+
+static bool solid_edge(void *ctx, int32_t e, ink_piece_t *ink, page_h_t end[2], int32_t depth[2]) {
+    const solid_map_t *m = ctx;
+    const solid_edge_t *edge = &m->solid->edge[e];
+    if (edge->first != e) return false;
+    *ink = (ink_piece_t){.family = INK_SEGMENT, .line = e, .to_q30 = INK_ONE};
+    for (int k = 0; k < 2; k++) {
+        end[k] = solid_map_vertex(m, edge->v[k]);
+        depth[k] = -(m->place[edge->v[k]].z / ((1 << SOLID_Z_BITS) / HALO_INK_DEPTH)); /* there smaller is nearer */
+    }
+    return true;
+}
+
+int picture_halo_solids(picture_t *p, const hidden_job_t *job) {
+    const halo_source_t source = {&p->solid_map, p->solid.ne, p->lines, 1, solid_edge};
+    const settings_t *s = p->plot->settings;
+    return halo_ink_draw(&source, width_lat(s), s->halo_ends, job, &p->stats.hidden);
+}
+
+size_t picture_halo_bytes(const plot_t *plot, int32_t crossings_each) {
+    size_t edges = 0;
+    for (int32_t k = 0; k < plot->n; k++) {
+        const plot_item_t *item = &plot->item[k];
+        if (plot->kind == PLOT_SURFACES) {
+            edges += 2 * (size_t)item->surface.nx * (size_t)item->surface.ny;
+        } else {
+            /* two faces have an edge in common */
+            edges += (size_t)item->mesh.corners / 2 + (size_t)item->mesh.segments;
+        }
+    }
+    return HALO_BYTES(edges, edges * (size_t)crossings_each);
+}

@@ -1,0 +1,149 @@
+/* halo_ink.c - see halo_ink.h. */
+#include "hidden/halo_ink.h"
+
+#include "error.h"
+#include "hidden/halo.h"
+#include "num/ints.h"
+#include "view/cut.h"
+
+/* Moved by less than this on the page, a quarter of a step, everything looks the same: what lies so close that the
+ * order depends on it touches. Files with four digits have bars that cross like that. */
+#define CONTACT 100
+
+/* An edge on the page: the part of its ink that is left, and what is at its ends. */
+typedef struct view {
+    ink_piece_t ink;
+    page_h_t h[2];
+    int32_t depth[2];
+} view_t;
+
+typedef struct halo_ink {
+    const halo_source_t *source;
+    const hidden_job_t *job;
+    hidden_stats_t *stats;
+    page_window_t window; /* the paper and a halo around it */
+    int frac_bits;        /* E of all surfaces in these units: the coarsest */
+    int64_t nearest;      /* the least E */
+    int32_t edge;         /* whose view is: */
+    view_t view;
+} halo_ink_t;
+
+static const line_space_t *lines_of(const halo_ink_t *d, const ink_piece_t *ink) {
+    return &d->source->lines[ink->surface];
+}
+
+static bool is_perspective(const halo_ink_t *d) {
+    return d->source->lines[0].perspective;
+}
+
+static int64_t depth_e(const halo_ink_t *d, const view_t *v, int end) {
+    const int64_t e = v->h[end].e >> (lines_of(d, &v->ink)->frac_bits - d->frac_bits);
+    return e > 0 ? e : 1;
+}
+
+/* What is left of edge e within the window; false if nothing. */
+static bool see(const halo_ink_t *d, int32_t e, view_t *v) {
+    if (!d->source->edge(d->source->ctx, e, &v->ink, v->h, v->depth)) return false;
+    const line_space_t *s = lines_of(d, &v->ink);
+    const int64_t start = v->ink.from_q30;
+    int64_t from = 0, to = INK_ONE;
+    if (!cut_between(s, &d->window, &v->h[0], &v->h[1], &from, &to)) return false;
+    const page_h_t h0 = v->h[0], h1 = v->h[1];
+    const int64_t deep = (int64_t)v->depth[1] - v->depth[0];
+    v->ink.to_q30 = start + to;
+    if (to < INK_ONE) {
+        v->h[1] = line_space_mix(&h0, &h1, (int32_t)to);
+        v->depth[1] = v->depth[0] + (int32_t)(deep * to / INK_ONE);
+    }
+    v->ink.from_q30 = start + from;
+    if (from > 0) {
+        v->h[0] = line_space_mix(&h0, &h1, (int32_t)from);
+        v->depth[0] += (int32_t)(deep * from / INK_ONE);
+    }
+    return v->h[0].e > 0 && v->h[1].e > 0;
+}
+
+static halo_point_t point_of(const halo_ink_t *d, const view_t *v, int end) {
+    const page_point_t p = line_space_divide(lines_of(d, &v->ink), &v->h[end]);
+    int64_t z = v->depth[end];
+    if (is_perspective(d)) {
+        z = ints_muldiv_round(d->nearest, HALO_INK_DEPTH, depth_e(d, v, end));
+        if (z > HALO_INK_DEPTH) z = HALO_INK_DEPTH;
+    }
+    return (halo_point_t){p.x_lat, p.y_lat, (int32_t)z};
+}
+
+/* From a part of the way on the page to the parameter in space: with E at the ends, s = u E0 / (u E0 + (1 - u) E1). */
+static int64_t in_space(const halo_ink_t *d, const view_t *v, uint32_t u_q30) {
+    int64_t s = u_q30;
+    if (is_perspective(d) && s > 0 && s < INK_ONE) {
+        int64_t e0 = v->h[0].e, e1 = v->h[1].e; /* below 2^35 */
+        while (e0 >> 31 != 0 || e1 >> 31 != 0) e0 >>= 1, e1 >>= 1;
+        e0 *= u_q30, e1 *= INK_ONE - (int64_t)u_q30;
+        s = e0 + e1 == 0 ? s : ints_muldiv_round(INK_ONE, e0, e0 + e1);
+    }
+    const int64_t way = v->ink.to_q30 - v->ink.from_q30;
+    return v->ink.from_q30 + (way * s + INK_ONE / 2) / INK_ONE;
+}
+
+static int take(void *ctx, int32_t edge, uint32_t from_q30, uint32_t to_q30) {
+    halo_ink_t *d = ctx;
+    if (edge != d->edge) see(d, edge, &d->view);
+    d->edge = edge;
+    ink_piece_t p = d->view.ink;
+    p.from_q30 = in_space(d, &d->view, from_q30);
+    p.to_q30 = in_space(d, &d->view, to_q30);
+    if (p.from_q30 >= p.to_q30) return 0;
+    d->stats->pieces++;
+    return d->job->sink->piece(d->job->sink->ctx, &p);
+}
+
+static void tell(const hidden_job_t *job, int32_t done, int32_t of) {
+    if (job->tick != NULL) job->tick(job->tick_ctx, done, of);
+}
+
+/* The nearest point that is left; its depth decides the scale of all. */
+static void find_nearest(halo_ink_t *d) {
+    d->nearest = INT64_MAX;
+    for (int32_t e = 0; e < d->source->edges; e++) {
+        if (!see(d, e, &d->view)) continue;
+        for (int end = 0; end < 2; end++) {
+            const int64_t at = depth_e(d, &d->view, end);
+            if (at < d->nearest) d->nearest = at;
+        }
+    }
+}
+
+int halo_ink_draw(const halo_source_t *source, int32_t width, bool ends, const hidden_job_t *job,
+                  hidden_stats_t *stats) {
+    halo_ink_t d = {.source = source, .job = job, .stats = stats, .edge = -1};
+    halo_t h;
+    *stats = (hidden_stats_t){0};
+    if (source->edges == 0) return 0;
+    const page_window_t *w = source->lines[0].window;
+    d.window = (page_window_t){w->x0_lat - width, w->y0_lat - width, w->x1_lat + width, w->y1_lat + width};
+    view_t *v = &d.view;
+    d.frac_bits = INT32_MAX;
+    for (int32_t k = 0; k < source->surfaces; k++) {
+        if (source->lines[k].frac_bits < d.frac_bits) d.frac_bits = source->lines[k].frac_bits;
+    }
+    if (is_perspective(&d)) find_nearest(&d);
+    halo_init(&h, job->mem, job->bytes);
+    h.contact = CONTACT;
+    int err = 0;
+    for (int32_t e = 0; e < source->edges; e++) {
+        if (!see(&d, e, v)) continue;
+        stats->edges++;
+        if (err == 0) err = halo_add(&h, e, point_of(&d, v, 0), point_of(&d, v, 1));
+    }
+    if (err == 0) err = halo_cut(&h, ends ? width : 0);
+    stats->tests = h.tests;
+    stats->crossings = err == 0 || h.crossings > 0 ? h.crossings : 0;
+    stats->bytes = h.used;
+    if (err != 0) return err;
+    tell(job, 1, 2);
+    d.edge = -1;
+    err = halo_draw(&h, width, &(halo_sink_t){&d, take});
+    tell(job, 2, 2);
+    return err;
+}
