@@ -50,7 +50,7 @@ all: host ## build everything the desktop needs
 
 host: $(RIDGELINE) ## build the program: build/host/ridgeline
 
-demo: ## install what is missing, build, draw the four demo scenes into build/demo
+demo: ## install what is missing, build, draw the demo scenes into build/demo
 	$(Q)sh .ci/deps.sh host
 	+$(Q)$(again) demo-run
 demo-run: host

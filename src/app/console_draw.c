@@ -4,6 +4,7 @@
 #include "app/say.h"
 #include "error.h"
 #include "hal/hal.h"
+#include "hidden/halo.h"
 
 static void on_progress(void *ctx, enum picture_stage stage, int32_t done, int32_t of) {
     console_t *c = ctx;
@@ -26,8 +27,22 @@ static bool fits_machine(const settings_t *s) {
 }
 
 static int too_large(const console_t *c, const plot_t *plot) {
-    say("The scene does not fit: it may need ");
-    say_int((int64_t)picture_bytes_least(plot));
+    const hidden_stats_t *found = &c->picture.stats.hidden;
+    if (plot->settings->hidden == HIDDEN_HALO && found->edges > 0) { /* both are counted to the end, if begun */
+        say("The scene does not fit: ");
+        say_int(found->edges);
+        say(" lines");
+        if (found->crossings > 0) {
+            say(" with ");
+            say_int(found->crossings);
+            say(" crossings");
+        }
+        say(" need at least ");
+        say_int((int64_t)HALO_BYTES(found->edges, found->crossings) + (int64_t)PATH_BYTES_MIN);
+    } else {
+        say("The scene does not fit: it may need ");
+        say_int((int64_t)picture_bytes_least(plot));
+    }
     say(" bytes of memory, ");
     say_int((int64_t)c->picture_bytes);
     say(" are free. Nothing was drawn.\n");
