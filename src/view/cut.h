@@ -15,8 +15,8 @@ typedef struct cut {
     ink_sink_t next;
 } cut_t;
 
-/* The part of [*from, *to], a line between h0 and h1, that is inside of w (|w| < 2^25) and in front of the eye; false if
- * there is none. */
+/* The part of [*from, *to], a line between h0 and h1, that is inside of w (|w| < 2^25) and in front of the eye; false
+ * if there is none. */
 bool cut_between(const line_space_t *s, const page_window_t *w, const page_h_t *h0, const page_h_t *h1, int64_t *from,
                  int64_t *to);
 /* c must outlive the sink. */
