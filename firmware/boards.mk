@@ -11,7 +11,8 @@ OPT_nrf51    := -Os
 # What runs once a command is small rather than fast: 256 KB of flash are nearly full.
 $(patsubst %.c,$(BUILDDIR)/firmware/lm3s6965/%.o,$(filter-out src/lang/eval.c src/lang/arith.c,$(wildcard src/lang/*.c)) \
     $(wildcard src/app/*.c src/hidden/halo*.c src/hidden/shad*.c src/hidden/triangulate.c src/hidden/convex.c \
-    src/scene/solid*.c src/scene/obj*.c src/view/solid*.c)): OPT_lm3s6965 := -Os
+    src/scene/solid*.c src/scene/obj*.c src/scene/data*.c src/scene/profiles*.c src/view/solid*.c src/view/camera*.c \
+    src/view/flat*.c src/view/auto*.c src/poly/*.c src/path/chain.c src/path/loop.c src/path/emit.c)): OPT_lm3s6965 := -Os
 
 CONFIG_rp2040 := CONFIG_LINE_MAX=1024 CONFIG_LOAD_DEPTH=0 CONFIG_READ_CHUNK=16 CONFIG_PLOT_ITEMS=4 CONFIG_DATA_COLUMNS=8 \
     CONFIG_SYMBOLS=64 CONFIG_POOL=2048 CONFIG_STACK=256 CONFIG_CALLS=64 CONFIG_PLOT_CODE=1024 CONFIG_JOINS=8 CONFIG_NAME_MAX=80 \
