@@ -9,6 +9,7 @@
 #define CELL_BITS 4   /* a cell is at least 2^4 tolerances wide, so most queries see a single cell */
 #define FREE (-1)     /* in mate, until chain_close: not paired */
 #define ALONE (-2)    /* and nobody near */
+#define FETCH 12      /* ends that memory is asked for ahead */
 #define STRAIGHT (1 << 29)
 #define UNIT_BITS 13 /* of direction vectors */
 _Static_assert((POOL_RUNS_MIN + 1) * 4 * sizeof(int32_t) >= CENSUS_BYTES_MIN, "the census lies over links and buckets");
@@ -19,11 +20,15 @@ static uint32_t bucket(const chain_t *c, int32_t cx, int32_t cy) {
     return ((uint32_t)cx + (uint32_t)cy * 0x9E3779B1u) & c->mask;
 }
 
+static int32_t *bucket_of(const chain_t *c, page_point_t p) {
+    return &c->head[bucket(c, p.x_lat >> c->shift, p.y_lat >> c->shift)];
+}
+
 void chain_enter(chain_t *c, int32_t e, page_point_t p) {
-    uint32_t b = bucket(c, p.x_lat >> c->shift, p.y_lat >> c->shift);
+    int32_t *head = bucket_of(c, p);
     c->point[e] = p;
-    c->next[e] = c->head[b];
-    c->head[b] = e;
+    c->next[e] = *head;
+    *head = e;
 }
 
 /* Empty buckets, one for each of so many ends. */
@@ -166,11 +171,26 @@ static void pair_here(chain_t *c, int32_t *cluster, int n) {
     if (n > 2) pair_cluster(c, cluster, n);
 }
 
+/* Asks the cache for what chain_free_ends will read: the bucket of an end that comes later, and the first that is in
+ * the bucket of one that comes sooner. */
+static void fetch_ahead(const chain_t *c, int32_t e) {
+    const int32_t *mate = c->pool->mate, ends = 2 * c->pool->n;
+    if (e + 2 * FETCH >= ends) return;
+    if (mate[e + 2 * FETCH] == FREE) __builtin_prefetch(bucket_of(c, c->point[e + 2 * FETCH]));
+    if (mate[e + FETCH] != FREE) return;
+    int32_t first = *bucket_of(c, c->point[e + FETCH]);
+    if (first < 0) return;
+    __builtin_prefetch(&c->point[first]);
+    __builtin_prefetch(&c->next[first]);
+    __builtin_prefetch(&mate[first]);
+}
+
 void chain_pair(chain_t *c) {
     sort_runs(c->pool, c->point, (uint32_t *)c->next);
     enter_all(c);
     for (int32_t e = 0; e < 2 * c->pool->n; e++) {
         int32_t cluster[CLUSTER_MAX];
+        fetch_ahead(c, e);
         if (c->pool->mate[e] != FREE) continue;
         int n = chain_free_ends(c, c->point[e], cluster, CLUSTER_MAX), k = 0;
         while (k < n && cluster[k] != e) k++;

@@ -5,7 +5,8 @@
 /* Walks the vertices of a stroke: end, whole parameters between, end, next run. */
 typedef struct walk {
     const pool_t *pool;
-    int32_t end; /* where the present run is entered, or negative at the end of the stroke */
+    const page_point_t *point; /* of the ends, or NULL */
+    int32_t end;               /* where the present run is entered, or negative at the end of the stroke */
     int64_t t_q30, last_q30;
     bool started;
 } walk_t;
@@ -31,14 +32,20 @@ static bool next(walk_t *w, const ink_map_t *map, page_point_t *p, bool *known) 
             w->t_q30 = t > w->last_q30 ? t : w->last_q30;
         }
     }
+    if (w->point && (!w->started || w->t_q30 == w->last_q30)) {
+        *p = w->point[w->started ? pool_other_end(w->end) : w->end];
+        w->started = *known = true;
+        return true;
+    }
     w->started = true;
     const run_t *r = &w->pool->run[w->end >> 1];
     *known = map->point(map->ctx, run_family(r), run_surface(r), r->line, w->t_q30, p);
     return true;
 }
 
-int emit_stroke(pool_t *pool, const ink_map_t *map, int32_t start, simplify_t *out, int64_t *vertices) {
-    walk_t w = {.pool = pool};
+int emit_stroke(pool_t *pool, const ink_map_t *map, const page_point_t *point, int32_t start, simplify_t *out,
+                int64_t *vertices) {
+    walk_t w = {.pool = pool, .point = point};
     page_point_t p;
     bool known, begun = false;
     enter(&w, start);
@@ -57,8 +64,8 @@ void emit_drop(pool_t *pool, int32_t start) {
     for (int32_t e = start; e >= 0; e = pool->mate[pool_other_end(e)]) pool->run[e >> 1].to_hi |= RUN_DRAWN;
 }
 
-bool emit_is_dot(const pool_t *pool, const ink_map_t *map, int32_t start, int32_t dot_lat) {
-    walk_t w = {.pool = pool};
+bool emit_is_dot(const pool_t *pool, const ink_map_t *map, const page_point_t *point, int32_t start, int32_t dot_lat) {
+    walk_t w = {.pool = pool, .point = point};
     page_point_t p, last;
     uint32_t length = 0;
     bool known, begun = false;

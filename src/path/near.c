@@ -113,12 +113,33 @@ static int32_t clamp(int32_t v, int32_t max) {
     return v < 0 ? 0 : v > max ? max : v;
 }
 
+/* The cell of the place and the eight around it, where most searches end: as search_row, with everything that they have
+ * in common computed once. */
+static void search_around(search_t *s) {
+    static const int8_t ORDER[9][2] = {{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+    near_t *g = s->g;
+    uint32_t square[2][3];
+    for (int by = -1; by <= 1; by++) {
+        uint32_t x = away(s->at.x, s->cx, g->shift_x, by), y = away(s->at.y, s->cy, g->shift_y, by);
+        square[0][by + 1] = x * x;
+        square[1][by + 1] = y * y;
+    }
+    for (int k = 0; k < 9; k++) {
+        int32_t i = ORDER[k][0], j = ORDER[k][1];
+        if (square[0][i + 1] + square[1][j + 1] >= s->best) continue;
+        const uint32_t x = (uint32_t)(s->cx + i), y = (uint32_t)(s->cy + j);
+        if (x >= (uint32_t)g->nx || y >= (uint32_t)g->ny) continue;
+        search_cell(s, &g->cell[y * (uint32_t)g->nx + x]);
+    }
+}
+
 int32_t near_take(near_t *g, spot_t at, const int32_t *place) {
     search_t s = {.g = g, .place = place, .at = at, .found = -1, .best = UINT32_MAX};
     s.cx = clamp(at.x >> g->shift_x, g->nx - 1);
     s.cy = clamp(at.y >> g->shift_y, g->ny - 1);
     int32_t rings = g->nx > g->ny ? g->nx : g->ny;
-    for (int32_t r = 0; r < rings; r++) {
+    search_around(&s);
+    for (int32_t r = 2; r < rings; r++) {
         uint32_t nearest = UINT32_MAX; /* of what the ring may hold */
         for (int side = -1; side <= 1; side += 2) {
             uint32_t x = away(at.x, s.cx, g->shift_x, side * r), y = away(at.y, s.cy, g->shift_y, side * r);
@@ -127,7 +148,6 @@ int32_t near_take(near_t *g, spot_t at, const int32_t *place) {
         }
         if (nearest * nearest >= s.best) break;
         search_row(&s, -r, r, 1);
-        if (r == 0) continue;
         for (int32_t k = 1 - r; k < r; k++) search_row(&s, k, r, 2 * r);
         search_row(&s, r, r, 1);
     }

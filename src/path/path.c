@@ -42,8 +42,8 @@ static void account_arrivals(path_t *p, const chain_t *c, int32_t from) {
     }
 }
 
-static bool drop_if_dot(path_t *p, int32_t start) {
-    if (!emit_is_dot(&p->pool, p->map, start, p->config.step_lat)) return false;
+static bool drop_if_dot(path_t *p, const page_point_t *point, int32_t start) {
+    if (!emit_is_dot(&p->pool, p->map, point, start, p->config.step_lat)) return false;
     p->stats.dots++;
     emit_drop(&p->pool, start);
     return true;
@@ -54,7 +54,7 @@ static void drop_dots(path_t *p, const chain_t *c) {
     for (int32_t e = 0; e < 2 * p->pool.n; e++) {
         int32_t far = ~p->pool.mate[e];
         if (far < e || dist_between(c->point[e], c->point[far]) >= (uint32_t)p->config.step_lat) continue;
-        drop_if_dot(p, e);
+        drop_if_dot(p, c->point, e);
     }
 }
 
@@ -89,8 +89,8 @@ static int flush(path_t *p, bool all) {
         p->drawn = k;
         tour_fetch(&tour, pool, k);
         int32_t start = tour_stroke(&tour, pool, k);
-        if (!all && drop_if_dot(p, start)) continue;
-        int err = emit_stroke(pool, p->map, start, &p->simplify, &p->stats.vertices);
+        if (!all && drop_if_dot(p, tour.point, start)) continue;
+        int err = emit_stroke(pool, p->map, tour.point, start, &p->simplify, &p->stats.vertices);
         if (err) return err;
     }
     p->drawing = p->drawn = 0;

@@ -1,21 +1,29 @@
 /* tour.c - collects strokes, orders them greedily. See tour.h; improvement is in improve.c. */
 #include "path/tour.h"
 
-_Static_assert(POOL_WORK_PER_RUN >= 4 * (2 + 1 + 1 + 1 + 2 + 1), "items, order, place, end, spots, cells");
 #define CROWD 1 /* items to a cell: the search looks at the fewest */
 
+_Static_assert(POOL_WORK_PER_RUN >= 4 * (2 + 1 + 1 + 1 + 2 + 1), "items, order, place, end, spots, cells");
 _Static_assert(sizeof(near_cell_t) == 8 && sizeof(spot_t) == 4, "the layout below");
 
-static void lay_out(tour_t *t, const pool_t *pool) {
-    int32_t m = pool->cap + 1;
-    int32_t *w = (int32_t *)(void *)pool->work;
-    t->near.item = w; /* over the chain's points, and so are order and place: set up after the points are read */
+/* With a third of the pool unused the tour lies behind the chain's points, which drawing then need not compute again.
+ * Otherwise over them: items, order and place are set up after the points are read, and the rest was links and buckets,
+ * which are no longer needed. */
+static void lay_out(tour_t *t, const chain_t *c) {
+    size_t m = (size_t)c->pool->n + 1, all = ((size_t)c->pool->cap + 1) * (POOL_WORK_PER_RUN / 4);
+    size_t points = 4 * m, used = 2 * m + m + m + m + 2 * m;
+    bool keep = points + used + m <= all;
+    if (!keep) points = 0;
+    int32_t *w = (int32_t *)(void *)c->pool->work + points;
+    t->point = keep ? c->point : NULL;
+    t->near.item = w;
     t->order = w + 2 * m;
     t->place = w + 3 * m;
-    t->end = w + 4 * m; /* over the chain's links and buckets, which are no longer needed */
+    t->end = w + 4 * m;
     t->spot = (spot_t *)(void *)(w + 5 * m);
     t->near.cell = (near_cell_t *)(void *)(w + 7 * m);
-    t->near.cells_max = m / 2;
+    size_t cells = (all - points - used) / 2;
+    t->near.cells_max = cells < 8 * m ? (int32_t)cells : (int32_t)(8 * m);
     t->near.spot = t->spot;
 }
 
@@ -40,7 +48,7 @@ void tour_collect(tour_t *t, const chain_t *c, page_point_t at, page_point_t hom
     const int32_t *mate = c->pool->mate;
     extent_t box = {at.x_lat, at.y_lat, at.x_lat, at.y_lat, 0};
     int32_t ends = 2 * c->pool->n;
-    lay_out(t, c->pool);
+    lay_out(t, c);
     include(&box, home);
     for (int32_t e = 0; e < ends; e++) {
         if (mate[e] < 0) include(&box, c->point[e]);
@@ -111,4 +119,5 @@ void tour_fetch(const tour_t *t, const pool_t *pool, int32_t k) {
     __builtin_prefetch(&t->end[t->order[k + 2 * TOUR_FETCH] >> 1]);
     __builtin_prefetch(&pool->run[e >> 1]);
     __builtin_prefetch(&pool->mate[e]);
+    if (t->point) __builtin_prefetch(&t->point[e & ~1]);
 }
