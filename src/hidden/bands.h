@@ -1,4 +1,4 @@
-/* bands.h - a cover with gaps: for surfaces with holes, where two horizons are not enough.
+/* bands.h - a cover with gaps: for several surfaces, where two horizons are not enough.
  *
  * Over each abscissa the cover is a sorted list of disjoint bands [lo, hi]. It is kept as strips: between two abscissae
  * the bands are trapezoids, bounded by straight lines that do not cross.

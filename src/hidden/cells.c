@@ -7,39 +7,6 @@
  * is drawn, neither none nor both. */
 #define COINCIDING (2 * ENVELOPE_NOISE + 1)
 
-/* Which edges of a cell face the eye: a column or -1, a line or -1. */
-typedef struct near_edges {
-    int32_t column;
-    int line;
-} near_edges_t;
-
-static bool is_present(const layer_t *l, int32_t i) {
-    const uint8_t *h0 = l->line[0].hole, *h1 = l->line[1].hole;
-    return !(h0[i] || h0[i + 1] || h1[i] || h1[i + 1]);
-}
-
-static void take_layer(sweep_t *s, layer_t *l) {
-    s->edges.runs.surface = l->surface;
-    s->edges.outline = l->outline;
-    s->edges.lines = l->lines;
-}
-
-/* Notes the lines that bound a layer's facet. */
-static int outline(sweep_t *s, layer_t *l, int32_t i) {
-    int err = 0;
-    l->lines = 0;
-    take_layer(s, l);
-    s->edges.outline_only = true;
-    for (int side = 0; side < SIDES && err == 0; side++) err = side_clip(s, l, i, side);
-    s->edges.outline_only = false;
-    l->lines = s->edges.lines;
-    return err;
-}
-
-static bool faces_eye(near_edges_t near, int32_t i, int side) {
-    return side_is_column(side) ? i + side / 2 == near.column : side / 2 == near.line;
-}
-
 /* Clips a side in a vertical plane through the eye: of the other layers' facets in the cell only the edges in the same
  * plane count. */
 static int clip_vertical(sweep_t *s, layer_t *l, int32_t i, int side) {
@@ -60,10 +27,10 @@ static int clip_vertical(sweep_t *s, layer_t *l, int32_t i, int side) {
 /* Clips those edges of a layer's facet that are new and near (or not near). */
 static int clip_edges(sweep_t *s, layer_t *l, int32_t i, near_edges_t near, bool are_near) {
     int err = 0;
-    take_layer(s, l);
+    side_take_layer(s, l);
     for (int side = 0; side < SIDES && err == 0; side++) {
         uint8_t *done = side_done(l, i, side);
-        if (*done || faces_eye(near, i, side) != are_near) continue;
+        if (*done || side_faces_eye(near, i, side) != are_near) continue;
         *done = 1;
         err =
             s->layers > 1 && side_is_vertical(s, l, i, side) ? clip_vertical(s, l, i, side) : side_clip(s, l, i, side);
@@ -140,10 +107,10 @@ static int cell(sweep_t *s, int32_t i, near_edges_t near) {
     for (int32_t m = 0; m < s->layers && err == 0; m++) {
         layer_t *l = &s->layer[m];
         /* In a plan all layers' lines are the same on the page: one will do. */
-        l->present = is_present(l, i) && !(s->edges.chart.kind == CHART_VERTICAL && present > 0);
+        l->present = side_present(l, i) && !(s->edges.chart.kind == CHART_VERTICAL && present > 0);
         if (!l->present) continue;
         present++;
-        err = outline(s, l, i);
+        err = side_outline(s, l, i);
         if (err == 0 && is_hidden(s, l, i)) l->present = false;
     }
     share_coinciding(s, i);
@@ -164,20 +131,11 @@ static int cell(sweep_t *s, int32_t i, near_edges_t near) {
 int cells_row(sweep_t *s, int far, bool fresh) {
     const chart_t *c = &s->edges.chart;
     const int32_t nx = c->grid->nx, i0 = c->i0;
-    near_edges_t near = {.line = !fresh ? 1 - far : c->side_y > 0 ? 1 : c->side_y < 0 ? 0 : -1};
-    int err = 0;
     for (int32_t m = 0; m < s->layers; m++) {
         for (int32_t i = 0; i < nx; i++) s->layer[m].column_done[i] = 0;
     }
-    near.column = c->side_x > 0 ? i0 + 1 : c->side_x < 0 ? i0 : -1;
-    err = cell(s, i0, near);
-    for (int32_t i = i0 + 1; i < nx - 1 && err == 0; i++) {
-        near.column = i;
-        err = cell(s, i, near);
-    }
-    for (int32_t i = i0 - 1; i >= 0 && err == 0; i--) {
-        near.column = i + 1;
-        err = cell(s, i, near);
-    }
+    int err = 0;
+    for (int32_t i = i0; i < nx - 1 && err == 0; i++) err = cell(s, i, side_near_edges(c, i, far, fresh));
+    for (int32_t i = i0 - 1; i >= 0 && err == 0; i--) err = cell(s, i, side_near_edges(c, i, far, fresh));
     return err;
 }

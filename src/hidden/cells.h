@@ -1,4 +1,4 @@
-/* cells.h - surfaces that two horizons cannot show: with holes, or several over the same points.
+/* cells.h - several surfaces over the same points, with holes or without.
  *
  * Cell by cell, in the order of the sweep: the near edges of all surfaces in the cell are clipped against what the
  * cells before it cover, the others also against the other surfaces' facets in the cell; then all its facets cover.

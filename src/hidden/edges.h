@@ -8,6 +8,7 @@
 #include "hidden/horizons.h"
 #include "hidden/runs.h"
 #include "hidden/shade.h"
+#include "hidden/windows.h"
 #include "view/chart_around.h"
 
 /* The edge being clipped: where its intervals go. End 0 has the smaller index. */
@@ -20,11 +21,17 @@ typedef struct edges_edge {
     int32_t start_q30, way_q30; /* the part that is being clipped, in space */
 } edges_edge_t;
 
+/* What remembers what is covered: two horizons; they and the windows between them, for a surface with holes; or bands,
+ * for several surfaces. */
+enum edges_cover { COVER_HORIZONS, COVER_WINDOWS, COVER_BANDS };
+
 typedef struct edges {
     chart_t chart;
     horizons_t horizons;
-    /* A surface with holes has bands instead of horizons. They want whole facets: the lines of the one at hand. */
-    bool gaps;
+    enum edges_cover cover;
+    windows_t windows;
+    bool bare; /* the edge is near, and no facet in front of it ends there */
+    /* Windows and bands want whole facets: the lines of the one at hand. */
     bands_t bands;
     bands_line_t *outline;
     int32_t lines;
@@ -43,9 +50,14 @@ typedef struct edges {
     edges_edge_t edge;
 } edges_t;
 
-/* Prepares the horizons (gaps: the bands; seen: see chart_seen; turn: see sweep_init) in pool[0..count), after the
- * chart. Returns 0 or ERR_FULL. */
-int edges_init(edges_t *e, const ink_sink_t *sink, bool gaps, int8_t seen, int turn, pencil_t *pool, size_t count);
+/* Prepares the cover (seen: see chart_seen; turn: see sweep_init) in pool[0..count), after the chart. Returns 0 or
+ * ERR_FULL. */
+int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_t seen, int turn, pencil_t *pool,
+               size_t count);
+
+/* COVER_WINDOWS: the facet at hand touches the point right below (below > 0) or above (below < 0) the eye: where only
+ * one line of its outline is, it covers all from there down (up). Call it when its edges have been clipped. */
+int edges_cover_below(edges_t *e, int8_t below);
 
 /* From now on, until e->filter is NULL again, edges are also clipped against filter, which starts empty. Returns 0 or
  * ERR_FULL. */

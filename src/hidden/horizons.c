@@ -55,8 +55,7 @@ static int clip_vertical(horizons_t *h, pencil_t l, pencil_t r) {
     return 0;
 }
 
-/* Raises the horizons by a line whose visible parts are known. */
-static int raise_both(horizons_t *h, pencil_t l, pencil_t r) {
+int horizons_raise(horizons_t *h, pencil_t l, pencil_t r) {
     int n = h->has_upper ? envelope_clip(&h->upper, l, r, NULL, NULL, &h->count) : 0;
     l.w = -l.w, r.w = -r.w;
     if (n >= 0 && h->has_lower) n = envelope_clip(&h->lower, l, r, NULL, NULL, &h->count);
@@ -69,7 +68,7 @@ int horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1) {
     pencil_t l = h->flip ? p1 : p0, r = h->flip ? p0 : p1;
     if (envelope_vertical(l, r, h->narrow)) {
         int err = clip_vertical(h, l, r);
-        return err != 0 || l.a == r.a ? err : raise_both(h, l, r);
+        return err != 0 || l.a == r.a ? err : horizons_raise(h, l, r);
     }
     if (l.a == r.a) return 0; /* a point, all but */
     if (h->has_upper && !h->skip_upper) {

@@ -6,69 +6,18 @@
 
 #include "error.h"
 #include "hidden/cells.h"
-
-static inline pencil_t mirror(pencil_t p) {
-    return (pencil_t){p.a, -p.w};
-}
-
-/* A facet off the eye's row and column, by its corners: n is the near one, f the far one, l and r the others from left
- * to right. */
-typedef struct corner {
-    pencil_t n, l, r, f;
-    bool ascending;
-} corner_t;
-
-static inline bool advance_upper(sweep_t *s, const corner_t *q) {
-    horizons_t *h = &s->edges.horizons;
-    return h->has_upper && envelope_advance(&h->upper, q->ascending, q->l, q->n, q->r, q->f, &h->count);
-}
-
-static inline bool advance_lower(sweep_t *s, const corner_t *q) {
-    horizons_t *h = &s->edges.horizons;
-    return h->has_lower &&
-           envelope_advance(&h->lower, q->ascending, mirror(q->l), mirror(q->n), mirror(q->r), mirror(q->f), &h->count);
-}
-
-/* Sorts out what can be told of a whole facet: its far edges both visible, both hidden, or to be clipped. Neighbours
- * tend to be alike, so what the last facet was is tried first. */
-static enum facet_kind judge_corner(sweep_t *s, const corner_t *q) {
-    horizons_t *h = &s->edges.horizons;
-    if (s->last == FACET_ABOVE && advance_upper(s, q)) return FACET_ABOVE;
-    if (s->last == FACET_BELOW && advance_lower(s, q)) return FACET_BELOW;
-    const int32_t top = pencil_max(q->f.w, pencil_max(q->l.w, q->r.w));
-    const int32_t bottom = pencil_min(q->f.w, pencil_min(q->l.w, q->r.w));
-    h->skip_upper = h->has_upper && envelope_hides(&h->upper, q->l.a, q->r.a, top);
-    h->skip_lower = h->has_lower && envelope_hides(&h->lower, q->l.a, q->r.a, -bottom);
-    if ((h->skip_upper || !h->has_upper) && (h->skip_lower || !h->has_lower)) return FACET_HIDDEN;
-    if (!h->skip_upper && s->last != FACET_ABOVE && advance_upper(s, q)) return FACET_ABOVE;
-    if (!h->skip_lower && s->last != FACET_BELOW && advance_lower(s, q)) return FACET_BELOW;
-    return FACET_CUT;
-}
-
-/* CHART_AROUND: is it in one sector and one zone? */
-static bool is_straight(const corner_t *q) {
-    if (q->n.a == CHART_NONE || q->f.a == CHART_NONE) return false;
-    const int32_t low = pencil_min(pencil_min(q->n.w, q->f.w), pencil_min(q->l.w, q->r.w));
-    const int32_t high = pencil_max(pencil_max(q->n.w, q->f.w), pencil_max(q->l.w, q->r.w));
-    return edges_is_straight(q->l, q->r) && chart_in_one_zone(low, high);
-}
+#include "hidden/corner.h"
+#include "hidden/holes.h"
 
 /* Two of its edges are new, the column `out` and the row `far`. */
 static int corner_facet(sweep_t *s, int32_t i, int far, bool rightward) {
     edges_t *e = &s->edges;
     layer_t *l = s->layer;
-    const chart_line_t *lf = &l->line[far], *ln = &l->line[1 - far];
-    const int32_t in = rightward ? i : i + 1, out = rightward ? i + 1 : i;
-    corner_t q = {ln->at[in], lf->at[in], ln->at[out], lf->at[out], rightward != (far == 1)};
-    if (!q.ascending) {
-        pencil_t r = q.l;
-        q.l = q.r;
-        q.r = r;
-    }
-    /* In CHART_AROUND an edge may bend at a diagonal, and in a plan nothing is hidden. */
-    const bool straight = e->chart.kind < CHART_AROUND || (e->chart.kind == CHART_AROUND && is_straight(&q));
+    const chart_line_t *lf = &l->line[far];
+    const int32_t out = rightward ? i + 1 : i;
+    const corner_t q = corner_of_facet(l, i, far, rightward);
     e->horizons.skip_upper = e->horizons.skip_lower = false;
-    s->last = straight ? judge_corner(s, &q) : FACET_CUT;
+    s->last = corner_is_straight(&e->chart, &q) ? corner_judge(s, &q) : FACET_CUT;
     if (s->last == FACET_HIDDEN) {
         e->clipped += 2;
         return 0;
@@ -153,19 +102,19 @@ int perimeter_draw_several(grid_t *const grid[], int32_t n, const camera_t *cam,
                            hidden_stats_t *stats) {
     sweep_t s = {0};
     int64_t evaluated = 0;
-    bool gaps = n > 1;
+    enum edges_cover cover = n > 1 ? COVER_BANDS : grid[0]->holes > 0 ? COVER_WINDOWS : COVER_HORIZONS;
     *stats = (hidden_stats_t){0};
     for (int32_t k = 0; k < n; k++) {
         if (k > 0 && !same_points(grid[0], grid[k])) return ERR_UNSUPPORTED;
-        if (grid[k]->holes > 0) gaps = true;
         evaluated -= grid[k]->evaluated;
     }
+    const sweep_row_t row = cover == COVER_BANDS ? cells_row : cover == COVER_WINDOWS ? holes_row : facets_row;
     int err = 0, turn = job->in_turn ? 1 : 0;
     do {
         hidden_stats_t before = *stats;
         s = (sweep_t){0};
-        err = sweep_init(&s, grid, n, cam, job, gaps, turn);
-        if (err == 0) err = sweep_all(&s, job, gaps ? cells_row : facets_row);
+        err = sweep_init(&s, grid, n, cam, job, cover, turn);
+        if (err == 0) err = sweep_all(&s, job, row);
         if (s.layer != NULL) sweep_account(&s, stats);
         if (s.turn < 0) add_sweep(stats, &before);
         turn = -s.turn;

@@ -18,8 +18,9 @@
  * Cost: linear in the facets for all surfaces we know; memory: see perimeter_bytes. */
 int perimeter_draw(grid_t *g, const camera_t *cam, const hidden_job_t *job, hidden_stats_t *stats);
 
-/* The same for n surfaces over the same points (x, y), 1 <= n <= 255; pieces carry the surface's number. Several
- * surfaces and surfaces with holes take cells.h instead of horizons: three to ten times slower, 24 bytes for a vertex.
+/* The same for n surfaces over the same points (x, y), 1 <= n <= 255; pieces carry the surface's number. A surface with
+ * holes takes holes.h: half of the memory is for windows, 52 bytes each, a few for each vertex of the holes' rims.
+ * Several surfaces take cells.h instead of horizons: ten times slower and more, 24 bytes for a vertex.
  * Returns as above, or ERR_UNSUPPORTED when the grids' points differ. */
 int perimeter_draw_several(grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
                            hidden_stats_t *stats);

@@ -112,3 +112,28 @@ int32_t side_shade(const sweep_t *s, const layer_t *l, const layer_t *m, int32_t
     out[0] = turned(v, turn);
     return 1;
 }
+
+near_edges_t side_near_edges(const chart_t *c, int32_t i, int far, bool fresh) {
+    return (near_edges_t){
+        .column = i > c->i0       ? i
+                  : i < c->i0     ? i + 1
+                  : c->side_x > 0 ? i + 1
+                  : c->side_x < 0 ? i
+                                  : -1,
+        .line = !fresh          ? 1 - far
+                : c->side_y > 0 ? 1
+                : c->side_y < 0 ? 0
+                                : -1,
+    };
+}
+
+int side_outline(sweep_t *s, layer_t *l, int32_t i) {
+    int err = 0;
+    l->lines = 0;
+    side_take_layer(s, l);
+    s->edges.outline_only = true;
+    for (int side = 0; side < SIDES && err == 0; side++) err = side_clip(s, l, i, side);
+    s->edges.outline_only = false;
+    l->lines = s->edges.lines;
+    return err;
+}

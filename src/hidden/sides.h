@@ -24,6 +24,35 @@ static inline int side_clip(sweep_t *s, layer_t *l, int32_t i, int side) {
     return side_is_column(side) ? sweep_column_edge(s, l, i + side / 2) : sweep_row_edge(s, l, side / 2, i);
 }
 
+/* Which edges of a cell face the eye: a column or -1, a line or -1. */
+typedef struct near_edges {
+    int32_t column;
+    int line;
+} near_edges_t;
+
+/* Those of cell i in a row: see sweep_row_t. */
+near_edges_t side_near_edges(const chart_t *c, int32_t i, int far, bool fresh);
+
+static inline bool side_faces_eye(near_edges_t near, int32_t i, int side) {
+    return side_is_column(side) ? i + side / 2 == near.column : side / 2 == near.line;
+}
+
+/* Has the layer a facet in cell i? */
+static inline bool side_present(const layer_t *l, int32_t i) {
+    const uint8_t *h0 = l->line[0].hole, *h1 = l->line[1].hole;
+    return !(h0[i] || h0[i + 1] || h1[i] || h1[i + 1]);
+}
+
+/* From now on edges are the layer's. */
+static inline void side_take_layer(sweep_t *s, layer_t *l) {
+    s->edges.runs.surface = l->surface;
+    s->edges.outline = l->outline;
+    s->edges.lines = l->lines;
+}
+
+/* Notes the lines that bound the layer's facet in cell i. */
+int side_outline(sweep_t *s, layer_t *l, int32_t i);
+
 /* Does the side lie in a vertical plane through the eye, but for rounding? */
 bool side_is_vertical(const sweep_t *s, const layer_t *l, int32_t i, int side);
 

@@ -56,8 +56,9 @@ static void lay_out(layer_t *l, lender_t *from, size_t nx, bool around, bool gap
     }
 }
 
-int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job, bool gaps,
-               int turn) {
+int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
+               enum edges_cover cover, int turn) {
+    const bool gaps = cover != COVER_HORIZONS;
     const size_t nx = (size_t)grid[0]->nx;
     lender_t from = {job->mem, job->bytes};
     edges_t *e = &s->edges;
@@ -81,7 +82,7 @@ int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam,
     s->fixed = job->bytes - from.left;
     e->several = n > 1;
     s->turn = gaps || s->layer[0].seen ? 0 : turn;
-    return edges_init(e, job->sink, gaps, s->layer[0].seen, s->turn, (pencil_t *)(void *)from.mem,
+    return edges_init(e, job->sink, cover, s->layer[0].seen, s->turn, (pencil_t *)(void *)from.mem,
                       from.left / sizeof(pencil_t));
 }
 
@@ -94,7 +95,7 @@ static void load_lines(sweep_t *s, int k, int32_t j) {
     for (int32_t m = 0; m < s->layers; m++) {
         layer_t *l = &s->layer[m];
         chart_row(&s->edges.chart, l->grid, j, &l->line[k]);
-        if (s->edges.gaps) fill(l->row_done[k], NULL, l->grid->nx);
+        if (s->edges.cover != COVER_HORIZONS) fill(l->row_done[k], NULL, l->grid->nx);
     }
 }
 
@@ -114,7 +115,7 @@ static void step(sweep_t *s, int far, int32_t j) {
 
 /* The eye's lower line is needed once more, on the way down: what of it is done must be known then. */
 static void keep_done(sweep_t *s, bool restore) {
-    for (int32_t m = 0; m < s->layers && s->edges.gaps; m++) {
+    for (int32_t m = 0; m < s->layers && s->edges.cover != COVER_HORIZONS; m++) {
         layer_t *l = &s->layer[m];
         fill(restore ? l->row_done[0] : l->kept_done, restore ? l->kept_done : l->row_done[0], l->grid->nx);
     }
@@ -174,4 +175,5 @@ void sweep_account(const sweep_t *s, hidden_stats_t *stats) {
     stats->peak_lower = h->has_lower ? h->lower.peak : 0;
     stats->bytes = s->fixed + (size_t)(stats->peak_upper + stats->peak_lower) * sizeof(pencil_t) +
                    (size_t)s->edges.bands.peak * sizeof(int32_t);
+    if (s->edges.cover == COVER_WINDOWS) stats->bytes += windows_bytes(&s->edges.windows);
 }

@@ -5,7 +5,8 @@
  *      . . . 2 . . .      eye, above, beside, or in a grid plane.
  *      . . . E 1 . .
  *
- * What is done with a row of facets is the caller's: perimeter.c keeps two horizons, cells.c a cover with gaps. */
+ * What is done with a row of facets is the caller's: perimeter.c keeps two horizons, holes.c also the windows between
+ * them, cells.c a cover with gaps. */
 #ifndef SWEEP_H
 #define SWEEP_H
 
@@ -50,14 +51,14 @@ typedef struct sweep {
  * is the eye's own, none of its lines has been swept. */
 typedef int (*sweep_row_t)(sweep_t *s, int far, bool fresh);
 
-/* Memory for `layers` surfaces of nx columns, without horizons, at most. */
+/* Memory for `layers` surfaces of nx columns, with gaps or holes, without horizons, at most. */
 size_t sweep_bytes(int32_t nx, int32_t layers, bool gaps);
 
-/* Prepares a sweep over n surfaces on the same points (x, y) in job's memory; gaps: with a cover instead of horizons.
+/* Prepares a sweep over n surfaces on the same points (x, y) in job's memory.
  * turn: 0 both horizons in one sweep; 1 the upper one now, -1 the lower one now, having had the upper one. A surface of
  * which only one side is seen has but one horizon: s->turn is 0 then. Returns 0 or ERR_FULL. */
-int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job, bool gaps,
-               int turn);
+int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
+               enum edges_cover cover, int turn);
 
 /* The whole sweep. Returns 0 or the first error of row or the sink. */
 int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row);

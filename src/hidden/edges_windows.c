@@ -1,0 +1,68 @@
+/* edges_windows.c - one grid edge against two horizons and the windows between them. */
+#include "hidden/edges_parts.h"
+
+/* Takes parts of a line; turn: they count from end 1. */
+static int take_parts(edges_t *e, const windows_part_t *part, int32_t n, bool turn) {
+    int err = 0;
+    for (int32_t k = 0; k < n && err == 0; k++) {
+        const int32_t from = part[k].from_q30, to = part[k].to_q30;
+        err = edges_take_part(e, turn ? (envelope_part_t){.from_q30 = ONE_Q30 - to, .to_q30 = ONE_Q30 - from}
+                                      : (envelope_part_t){.from_q30 = from, .to_q30 = to});
+    }
+    return err;
+}
+
+/* A vertical line shows where it would to the side on which the facet at hand is: beyond the horizons, or in a window.
+ */
+static int clip_vertical_windowed(edges_t *e, pencil_t p0, pencil_t p1) {
+    const int32_t low = pencil_min(p0.w, p1.w), high = pencil_max(p0.w, p1.w);
+    const int32_t x = edges_facet_is_right(e, p0, p1) ? pencil_max(p0.a, p1.a) + 1 : pencil_min(p0.a, p1.a) - 1;
+    const int32_t top = envelope_height(&e->horizons.upper, x, x), bottom = -envelope_height(&e->horizons.lower, x, x);
+    windows_part_t part[WINDOWS_PARTS];
+    if (low == high) return 0;
+    int32_t n = windows_clip_vertical(&e->windows, x, low, high, part);
+    const uint32_t height = (uint32_t)(high - low);
+    if (high > top + ENVELOPE_NOISE) {
+        const int32_t from = top <= low ? 0 : (int32_t)pencil_fraction((uint32_t)(top - low), height);
+        n = windows_add_part(part, n, (windows_part_t){from, ONE_Q30});
+    }
+    if (low < bottom - ENVELOPE_NOISE) {
+        const int32_t to = bottom >= high ? ONE_Q30 : (int32_t)pencil_fraction((uint32_t)(bottom - low), height);
+        n = windows_add_part(part, n, (windows_part_t){0, to});
+    }
+    return take_parts(e, part, n, p1.w < p0.w);
+}
+
+int edges_clip_windowed(edges_t *e, pencil_t p0, pencil_t p1) {
+    const bool turn = p1.a < p0.a;
+    const pencil_t l = turn ? p1 : p0, r = turn ? p0 : p1;
+    const bool vertical = envelope_vertical(l, r, e->chart.narrow);
+    int err = 0;
+    if (vertical) {
+        err = clip_vertical_windowed(e, p0, p1);
+    } else if (l.a < r.a && e->windows.present > 0) {
+        windows_part_t part[WINDOWS_PARTS];
+        err = take_parts(e, part, windows_clip(&e->windows, l, r, part), turn);
+    }
+    if (err != 0 || l.a == r.a) return err;
+    if (e->bare) {
+        err = windows_open(&e->windows, &e->horizons.upper, l, r, false);
+        if (err == 0)
+            err = windows_open(&e->windows, &e->horizons.lower, (pencil_t){l.a, -l.w}, (pencil_t){r.a, -r.w}, true);
+        if (err != 0) return err;
+    }
+    return vertical ? horizons_raise(&e->horizons, l, r) : horizons_clip(&e->horizons, p0, p1);
+}
+
+int edges_cover_below(edges_t *e, int8_t below) {
+    envelope_t *h = below > 0 ? &e->horizons.lower : &e->horizons.upper;
+    windows_span_t span[2 * BANDS_LINES];
+    const int32_t spans = windows_spans(e->outline, e->lines, span);
+    for (int32_t k = 0; k < spans; k++) {
+        if (span[k].lo != span[k].hi) continue;
+        const pencil_t l = {span[k].a0, PENCIL_LIMIT}, r = {span[k].a1, PENCIL_LIMIT}; /* the lower one has w negated */
+        int n = envelope_clip(h, l, r, NULL, NULL, &e->horizons.count);
+        if (n < 0) return n;
+    }
+    return 0;
+}

@@ -1,0 +1,203 @@
+/* windows.c - see windows.h: keeping them, opening them, looking through them. */
+#include "hidden/windows.h"
+
+#include "error.h"
+#include "hidden/windows_pool.h"
+
+#define ONE_Q30 (INT32_C(1) << 30)
+
+int windows_init(windows_t *w, int32_t nx, void *mem, size_t bytes) {
+    int32_t bits = 3; /* a scene fills a fourth of the abscissae at least */
+    while (bits < 14 && (INT32_C(1) << bits) < 2 * nx && (sizeof(int32_t) << bits) < bytes / 8) bits++;
+    const size_t bins = sizeof(int32_t) << bits;
+    if (bytes < bins + 4 * sizeof(window_t)) return ERR_FULL;
+    *w = (windows_t){.bin = mem, .shift = (int8_t)(31 - bits), .free = -1};
+    w->pool = (window_t *)(void *)((uint8_t *)mem + bins);
+    w->capacity = (int32_t)((bytes - bins) / sizeof(window_t));
+    for (int32_t k = 0; k < INT32_C(1) << bits; k++) w->bin[k] = -1;
+    return 0;
+}
+
+size_t windows_bytes(const windows_t *w) {
+    return (sizeof(int32_t) << (31 - w->shift)) + (size_t)w->used * sizeof(window_t);
+}
+
+bool windows_any(const windows_t *w, int32_t a0, int32_t a1, int32_t low, int32_t high) {
+    if (w->present == 0) return false;
+    for (int32_t b = windows_bin(w, a0), last = windows_bin(w, a1); b <= last; b++) {
+        for (int32_t k = w->bin[b]; k >= 0; k = w->pool[k].next) {
+            const window_t *v = &w->pool[k];
+            if (v->a0 <= a1 && v->a1 >= a0 && v->low <= high && v->high >= low) return true;
+        }
+    }
+    return false;
+}
+
+static bool same_line(const bands_line_t *s, const bands_line_t *t) {
+    return envelope_same(s->p, t->p) && envelope_same(s->q, t->q);
+}
+
+/* Makes a window of the bin longer if v continues it. */
+static bool join(windows_t *w, int32_t bin, const window_t *v) {
+    for (int32_t k = w->bin[bin]; k >= 0; k = w->pool[k].next) {
+        window_t *u = &w->pool[k];
+        if (u->a1 != v->a0 && u->a0 != v->a1) continue;
+        if (!same_line(&u->lo, &v->lo) || !same_line(&u->hi, &v->hi)) continue;
+        *u = (window_t){.a0 = pencil_min(u->a0, v->a0),
+                        .a1 = pencil_max(u->a1, v->a1),
+                        .lo = u->lo,
+                        .hi = u->hi,
+                        .low = pencil_min(u->low, v->low),
+                        .high = pencil_max(u->high, v->high),
+                        .next = u->next};
+        return true;
+    }
+    return false;
+}
+
+int windows_insert(windows_t *w, int32_t a0, int32_t a1, const bands_line_t *lo, const bands_line_t *hi) {
+    while (a0 < a1) {
+        const int32_t bin = windows_bin(w, a0);
+        const int64_t border = (((int64_t)bin + 1) << w->shift) - (INT64_C(1) << 30);
+        const int32_t end = border < a1 ? (int32_t)border : a1;
+        const int32_t lo0 = windows_line_at(lo, a0), lo1 = windows_line_at(lo, end);
+        const int32_t hi0 = windows_line_at(hi, a0), hi1 = windows_line_at(hi, end);
+        const window_t v = {.a0 = a0,
+                            .a1 = end,
+                            .lo = *lo,
+                            .hi = *hi,
+                            .low = pencil_min(lo0, lo1),
+                            .high = pencil_max(hi0, hi1),
+                            .next = w->bin[bin]};
+        a0 = end;
+        if (hi0 - lo0 <= ENVELOPE_NOISE && hi1 - lo1 <= ENVELOPE_NOISE) continue; /* nothing shows through */
+        if (join(w, bin, &v)) continue;
+        int32_t at = w->free;
+        if (at >= 0) {
+            w->free = w->pool[at].next;
+        } else if (w->used < w->capacity) {
+            at = w->used++;
+        } else {
+            return ERR_FULL;
+        }
+        w->pool[at] = v;
+        w->bin[bin] = at;
+        w->present++;
+    }
+    return 0;
+}
+
+/* Opens a window over [a0, a1] where hi is above lo by more than the noise at one end at least. */
+static int open_between(windows_t *w, int32_t a0, int32_t a1, const bands_line_t *lo, const bands_line_t *hi) {
+    const int64_t d0 = (int64_t)windows_line_at(hi, a0) - windows_line_at(lo, a0);
+    const int64_t d1 = (int64_t)windows_line_at(hi, a1) - windows_line_at(lo, a1);
+    if (d0 <= ENVELOPE_NOISE && d1 <= ENVELOPE_NOISE) return 0;
+    const int32_t x = windows_crossing(a0, a1, d0, d1);
+    return windows_insert(w, d0 < 0 ? x : a0, d1 < 0 ? x : a1, lo, hi);
+}
+
+int windows_open(windows_t *w, envelope_t *h, pencil_t p, pencil_t q, bool lower) {
+    const bands_line_t edge = lower ? (bands_line_t){{p.a, -p.w}, {q.a, -q.w}} : (bands_line_t){p, q};
+    envelope_seek(h, p.a);
+    pencil_t v = h->l[-1];
+    int err = 0;
+    for (const pencil_t *r = h->r; v.a < q.a && err == 0; v = *r++) {
+        const int32_t a0 = pencil_max(v.a, p.a), a1 = pencil_min(r->a, q.a);
+        if (a0 >= a1 || v.w == ENVELOPE_FLOOR || r->w == ENVELOPE_FLOOR) continue;
+        const bands_line_t old = lower ? (bands_line_t){{v.a, -v.w}, {r->a, -r->w}} : (bands_line_t){v, *r};
+        err = lower ? open_between(w, a0, a1, &edge, &old) : open_between(w, a0, a1, &old, &edge);
+    }
+    return err;
+}
+
+int32_t windows_add_part(windows_part_t part[WINDOWS_PARTS], int32_t n, windows_part_t v) {
+    int32_t from = n, to = n; /* the parts [from, to) touch it */
+    while (from > 0 && part[from - 1].to_q30 >= v.from_q30) from--;
+    while (to > from && part[to - 1].from_q30 > v.to_q30) to--;
+    if (from < to) {
+        v.from_q30 = pencil_min(v.from_q30, part[from].from_q30);
+        v.to_q30 = pencil_max(v.to_q30, part[to - 1].to_q30);
+    } else if (n == WINDOWS_PARTS) {
+        return n;
+    }
+    const int32_t by = from + 1 - to;
+    if (by > 0) {
+        for (int32_t k = n; k > to; k--) part[k] = part[k - 1];
+    } else {
+        for (int32_t k = to; by < 0 && k < n; k++) part[k + by] = part[k];
+    }
+    part[from] = v;
+    return n + by;
+}
+
+static int32_t at_zero(int64_t d0, int64_t d1) {
+    const uint64_t n = (uint64_t)(d0 < 0 ? -d0 : d0), m = (uint64_t)(d1 < 0 ? -d1 : d1);
+    return (int32_t)pencil_fraction(n, n + m);
+}
+
+/* What is within the noise of a line lies on it. */
+static int64_t off(int32_t v, int32_t line) {
+    const int64_t d = (int64_t)v - line;
+    return d > ENVELOPE_NOISE || d < -ENVELOPE_NOISE ? d : 0;
+}
+
+/* The part of [s, t] in which the edge is inside window v; false if none. */
+static bool inside(const window_t *v, const bands_line_t *edge, int32_t s, int32_t t, windows_part_t *out) {
+    const int32_t e0 = windows_line_at(edge, s), e1 = windows_line_at(edge, t);
+    const int64_t over[2] = {off(e0, windows_line_at(&v->lo, s)), off(e1, windows_line_at(&v->lo, t))};
+    const int64_t under[2] = {-off(e0, windows_line_at(&v->hi, s)), -off(e1, windows_line_at(&v->hi, t))};
+    if ((over[0] <= 0 && over[1] <= 0) || (under[0] <= 0 && under[1] <= 0)) return false;
+    *out = (windows_part_t){0, ONE_Q30};
+    for (int k = 0; k < 2; k++) {
+        const int64_t d0 = k ? under[0] : over[0], d1 = k ? under[1] : over[1];
+        if (d0 < 0) out->from_q30 = pencil_max(out->from_q30, at_zero(d0, d1));
+        if (d1 < 0) out->to_q30 = pencil_min(out->to_q30, at_zero(d0, d1));
+    }
+    return out->from_q30 < out->to_q30;
+}
+
+int32_t windows_clip(const windows_t *w, pencil_t p, pencil_t q, windows_part_t part[WINDOWS_PARTS]) {
+    const int32_t low = pencil_min(p.w, q.w), high = pencil_max(p.w, q.w);
+    const bands_line_t edge = {p, q};
+    const uint32_t run = (uint32_t)(q.a - p.a);
+    const int32_t units = pencil_max(q.a - p.a, high - low);
+    int32_t n = 0;
+    if (w->present == 0) return 0;
+    for (int32_t b = windows_bin(w, p.a), last = windows_bin(w, q.a - 1); b <= last; b++) {
+        for (int32_t k = w->bin[b]; k >= 0; k = w->pool[k].next) {
+            const window_t *v = &w->pool[k];
+            const int32_t s = pencil_max(p.a, v->a0), t = pencil_min(q.a, v->a1);
+            windows_part_t in;
+            if (s >= t || v->low > high || v->high < low) continue;
+            if (!inside(v, &edge, s, t, &in)) continue;
+            const int32_t f0 = s == p.a ? 0 : (int32_t)pencil_fraction((uint32_t)(s - p.a), run);
+            const int32_t f1 = t == q.a ? ONE_Q30 : (int32_t)pencil_fraction((uint32_t)(t - p.a), run);
+            const int32_t from = in.from_q30 == 0 ? f0 : f0 + (int32_t)(((int64_t)(f1 - f0) * in.from_q30) >> 30);
+            const int32_t to = in.to_q30 == ONE_Q30 ? f1 : f0 + (int32_t)(((int64_t)(f1 - f0) * in.to_q30) >> 30);
+            if (from < to) n = windows_add_part(part, n, (windows_part_t){from, to});
+        }
+    }
+    int32_t kept = 0;
+    for (int32_t k = 0; k < n; k++) {
+        const bool noise = ((int64_t)(part[k].to_q30 - part[k].from_q30) * units) >> 30 <= ENVELOPE_NOISE;
+        if (!noise || (part[k].from_q30 == 0 && part[k].to_q30 == ONE_Q30)) part[kept++] = part[k];
+    }
+    return kept;
+}
+
+int32_t windows_clip_vertical(const windows_t *w, int32_t x, int32_t low, int32_t high,
+                              windows_part_t part[WINDOWS_PARTS]) {
+    int32_t n = 0;
+    for (int32_t k = w->bin[windows_bin(w, x)]; k >= 0; k = w->pool[k].next) {
+        const window_t *v = &w->pool[k];
+        if (v->a0 > x || v->a1 < x) continue;
+        const int32_t from = pencil_max(low, windows_line_at(&v->lo, x)),
+                      to = pencil_min(high, windows_line_at(&v->hi, x));
+        if (to - from <= ENVELOPE_NOISE) continue;
+        const uint32_t height = (uint32_t)(high - low);
+        n = windows_add_part(part, n,
+                             (windows_part_t){(int32_t)pencil_fraction((uint32_t)(from - low), height),
+                                              (int32_t)pencil_fraction((uint32_t)(to - low), height)});
+    }
+    return n;
+}

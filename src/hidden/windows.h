@@ -1,0 +1,84 @@
+/* windows.h - what of a band between two horizons is not covered: for one surface with holes.
+ *
+ * In a vertical plane through the eye the surface seen so far lies within one interval, between a lower and an upper
+ * horizon (horizons.h); without holes it covers all of it. A facet behind a hole leaves a window between the horizon
+ * and its near edge: what is farther away can be seen there, until something covers it.
+ *
+ *      w |    .----.         upper horizon, after the far edge f
+ *        |    |////|f        a facet
+ *        |    '----'n        its near edge; nothing nearer ends here
+ *        |     |  |          a window
+ *        |  ---'--'---       the upper horizon before
+ *        +--------------- a
+ *
+ * A window is a trapezoid [a0, a1] between two lines of the chart, which are kept as they were: a window is cut as
+ * often as one likes without moving, and what has been cut joins again when both its lines are the same. So windows are
+ * as many as there are corners in what is not covered. They lie in bins of a; one reaches no farther than its bin.
+ *
+ * Cost: a facet that has no window over it pays a look at the bins it spans; one that has, some ten divisions for each.
+ * Error: half a unit where a line is evaluated; an abscissa where two lines cross is rounded to a unit. */
+#ifndef WINDOWS_H
+#define WINDOWS_H
+
+#include "hidden/bands.h"
+
+typedef struct window {
+    int32_t a0, a1;
+    bands_line_t lo, hi;
+    int32_t low, high; /* no part of it is lower or higher */
+    int32_t next;      /* of its bin, or of the free ones; -1: none */
+} window_t;
+
+typedef struct windows {
+    window_t *pool;
+    int32_t capacity, used, free; /* used: the pool's entries before `used` have been in use; free: a list of them */
+    int32_t *bin;
+    int8_t shift;    /* an abscissa's bin is (a + 2^30) >> shift */
+    int32_t present; /* windows there are */
+} windows_t;
+
+/* An interval of an edge, as fractions of its way from left to right, or of the height of a vertical one from below. */
+typedef struct windows_part {
+    int32_t from_q30, to_q30;
+} windows_part_t;
+
+/* No windows; room for as many as fit into `bytes` of mem (aligned to 8), beside bins for nx columns. Returns 0 or
+ * ERR_FULL. */
+int windows_init(windows_t *w, int32_t nx, void *mem, size_t bytes);
+
+/* Bytes that have been in use. */
+size_t windows_bytes(const windows_t *w);
+
+/* Is there a window that touches [a0, a1] x [low, high]? (Rather yes than wrongly no.) */
+bool windows_any(const windows_t *w, int32_t a0, int32_t a1, int32_t low, int32_t high);
+
+/* Opens windows between a horizon and the edge p-q, p.a < q.a, where the edge is above it (lower: both have w negated)
+ * and the horizon is not at the floor. Returns 0 or ERR_FULL. */
+int windows_open(windows_t *w, envelope_t *h, pencil_t p, pencil_t q, bool lower);
+
+/* What of the edge p-q, p.a < q.a, is in windows by more than the noise: at most WINDOWS_PARTS, sorted. Returns how
+ * many. */
+#define WINDOWS_PARTS 32
+int32_t windows_clip(const windows_t *w, pencil_t p, pencil_t q, windows_part_t part[WINDOWS_PARTS]);
+
+/* The same for a vertical edge from low to high, low < high, next to abscissa x. */
+int32_t windows_clip_vertical(const windows_t *w, int32_t x, int32_t low, int32_t high,
+                              windows_part_t part[WINDOWS_PARTS]);
+
+/* Adds a part to n sorted ones, in its place; parts that touch become one. Returns how many there are then. */
+int32_t windows_add_part(windows_part_t part[WINDOWS_PARTS], int32_t n, windows_part_t v);
+
+/* The lowest and the highest of a facet's lines between two abscissae where lines end; the same where there is one. */
+typedef struct windows_span {
+    int32_t a0, a1;
+    const bands_line_t *lo, *hi;
+} windows_span_t;
+
+/* From left to right; abscissae without a line are left out. Returns how many. */
+int32_t windows_spans(const bands_line_t *line, int32_t n, windows_span_t span[2 * BANDS_LINES]);
+
+/* Closes what a facet covers: over each abscissa from the lowest to the highest of its lines, as bands_add has it.
+ * Returns 0 or ERR_FULL. */
+int windows_close(windows_t *w, const bands_line_t *line, int32_t n, int below);
+
+#endif
