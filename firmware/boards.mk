@@ -6,13 +6,15 @@ CPU_lm3s6965 := -mcpu=cortex-m3
 CPU_nrf51    := -mcpu=cortex-m0
 
 OPT_rp2040   := -O2
-OPT_lm3s6965 := -O2
+OPT_lm3s6965 := -Os
 OPT_nrf51    := -Os
-# What runs once a command is small rather than fast: 256 KB of flash are nearly full.
-$(patsubst %.c,$(BUILDDIR)/firmware/lm3s6965/%.o,$(filter-out src/lang/eval.c src/lang/arith.c,$(wildcard src/lang/*.c)) \
-    $(wildcard src/app/*.c src/hidden/halo*.c src/hidden/shad*.c src/hidden/triangulate.c src/hidden/convex.c \
-    src/scene/solid*.c src/scene/obj*.c src/scene/data*.c src/scene/profiles*.c src/view/solid*.c src/view/camera*.c \
-    src/view/flat*.c src/view/auto*.c src/poly/*.c src/path/chain.c src/path/loop.c src/path/emit.c)): OPT_lm3s6965 := -Os
+# 256 KB of flash are nearly full: fast is what runs for each point, facet, vertex or step, all else is small.
+FAST_lm3s6965 := $(wildcard src/motion/*.c src/num/num.c src/num/wide.c src/num/ints.c src/num/func*.c hal/port/*.c hal/lm3s6965/*.c) \
+    $(wildcard src/path/improve.c src/path/near.c src/path/sort.c src/path/simplify.c src/path/tour.c) \
+    src/lang/eval.c src/lang/arith.c src/scene/grid.c src/scene/expr_surface.c src/view/chart.c src/view/plane.c \
+    src/view/page_map.c src/view/line_space.c src/view/cut.c src/hidden/envelope.c src/hidden/horizons.c \
+    src/hidden/perimeter.c src/hidden/edges.c src/hidden/sweep.c src/hidden/runs.c src/hidden/horizon.c
+$(FAST_lm3s6965:%.c=$(BUILDDIR)/firmware/lm3s6965/%.o): OPT_lm3s6965 := -O2
 
 CONFIG_rp2040 := CONFIG_LINE_MAX=1024 CONFIG_LOAD_DEPTH=0 CONFIG_READ_CHUNK=16 CONFIG_PLOT_ITEMS=4 CONFIG_DATA_COLUMNS=8 \
     CONFIG_SYMBOLS=64 CONFIG_POOL=2048 CONFIG_STACK=256 CONFIG_CALLS=64 CONFIG_PLOT_CODE=1024 CONFIG_JOINS=8 CONFIG_NAME_MAX=80 \
