@@ -69,7 +69,7 @@ bool edges_facet_is_right(const edges_t *e, pencil_t p0, pencil_t p1) {
 int edges_clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
     if (e->chart.kind == CHART_VERTICAL) return edges_take_unseen(e, 0, ONE_Q30);
     if (e->cover == COVER_HORIZONS) return horizons_clip(&e->horizons, p0, p1);
-    if (!e->outline_only && e->cover == COVER_WINDOWS) return edges_clip_windowed(e, p0, p1);
+    if (!e->outline_only && !edges_has_bands(e->cover)) return edges_clip_windowed(e, p0, p1);
     if (!e->outline_only) {
         e->right = edges_facet_is_right(e, p0, p1);
         e->line = (bands_line_t){p0, p1};
@@ -102,7 +102,7 @@ int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_
     const bool upper = windows || (seen >= 0 && turn >= 0), lower = windows || (seen <= 0 && turn <= 0);
     e->runs = (runs_t){.sink = sink};
     e->cover = cover;
-    if (cover == COVER_BANDS)
+    if (edges_has_bands(cover))
         return bands_init(&e->bands, e->chart.narrow, (int32_t *)(void *)pool, 2 * count, take_open, e);
     if (windows) {
         count /= 2;

@@ -4,6 +4,7 @@
 #ifndef EDGES_H
 #define EDGES_H
 
+#include "config.h"
 #include "hidden/bands.h"
 #include "hidden/horizons.h"
 #include "hidden/runs.h"
@@ -24,6 +25,11 @@ typedef struct edges_edge {
 /* What remembers what is covered: two horizons; they and the windows between them, for a surface with holes; or bands,
  * for several surfaces. */
 enum edges_cover { COVER_HORIZONS, COVER_WINDOWS, COVER_BANDS };
+
+/* Bands are left out where a plot has but one surface. */
+static inline bool edges_has_bands(enum edges_cover cover) {
+    return CONFIG_PLOT_ITEMS > 1 && cover == COVER_BANDS;
+}
 
 typedef struct edges {
     chart_t chart;

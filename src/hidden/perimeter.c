@@ -104,11 +104,12 @@ int perimeter_draw_several(grid_t *const grid[], int32_t n, const camera_t *cam,
     int64_t evaluated = 0;
     enum edges_cover cover = n > 1 ? COVER_BANDS : grid[0]->holes > 0 ? COVER_WINDOWS : COVER_HORIZONS;
     *stats = (hidden_stats_t){0};
+    if (cover == COVER_BANDS && !edges_has_bands(cover)) return ERR_UNSUPPORTED;
     for (int32_t k = 0; k < n; k++) {
         if (k > 0 && !same_points(grid[0], grid[k])) return ERR_UNSUPPORTED;
         evaluated -= grid[k]->evaluated;
     }
-    const sweep_row_t row = cover == COVER_BANDS ? cells_row : cover == COVER_WINDOWS ? holes_row : facets_row;
+    const sweep_row_t row = edges_has_bands(cover) ? cells_row : cover == COVER_WINDOWS ? holes_row : facets_row;
     int err = 0, turn = job->in_turn ? 1 : 0;
     do {
         hidden_stats_t before = *stats;
