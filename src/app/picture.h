@@ -23,7 +23,8 @@
 #include "view/profile_map.h"
 #include "view/solid_map.h"
 
-#define PICTURE_LINES_MAX (2 * CONFIG_PLOT_ITEMS + 1) /* rows and columns of each item, and a frame */
+#define PICTURE_GRIDS_MAX (2 * CONFIG_PLOT_ITEMS) /* rows and columns of each item */
+#define PICTURE_LINES_MAX (PICTURE_GRIDS_MAX + 1) /* or a frame */
 
 enum picture_stage {
     PICTURE_MEASURE, /* evaluating all points for their range */
@@ -75,8 +76,8 @@ typedef struct picture {
     int32_t spaces;                        /* of them in use */
     union {                                /* by the kind of scene */
         struct {
-            grid_t grid[PICTURE_LINES_MAX];
-            page_map_t map[PICTURE_LINES_MAX];
+            grid_t grid[PICTURE_GRIDS_MAX];
+            page_map_t map[PICTURE_GRIDS_MAX];
         };
         struct {
             profiles_t profiles;

@@ -102,15 +102,12 @@ static int draw_plain(picture_t *p, bool isolines) {
     return 0;
 }
 
-static int draw(picture_t *p, const pen_sink_t *pen) {
+/* Measures all surfaces and sets the view up. */
+static int begin(picture_t *p, const pen_sink_t *pen, bool isolines, bool *plain) {
     const plot_t *plot = p->plot;
-    const bool isolines = plot->settings->hidden == HIDDEN_NONE;
     int64_t points = 0;
     int32_t growing = 0;
     int err = 0;
-
-    size_t kernel_bytes = 0;
-    void *kernel = isolines ? NULL : picture_kernel_memory(p, &kernel_bytes);
     for (int32_t k = 0; k < plot->n; k++) {
         const plot_item_t *item = &plot->item[k];
         if (!isolines) {
@@ -127,18 +124,27 @@ static int draw(picture_t *p, const pen_sink_t *pen) {
     scene_box(p, lo, hi);
     err = picture_camera(p, lo, hi);
     if (!err) err = map_surfaces(p);
-    if (!err) err = picture_open(p, pen, growing, 4 * points);
-    if (err) return err;
+    *plain = isolines || (p->spaces == 1 && is_vertical(&p->camera, lo, hi));
+    return err ? err : picture_open(p, pen, growing, 4 * points);
+}
 
+static int draw(picture_t *p, const pen_sink_t *pen) {
+    const enum hidden_mode hidden = p->plot->settings->hidden;
+    const bool isolines = hidden == HIDDEN_NONE;
+    bool plain = false;
+    size_t kernel_bytes = 0;
+    void *kernel = isolines ? NULL : picture_kernel_memory(p, &kernel_bytes);
+    int err = begin(p, pen, isolines, &plain);
+    if (err) return err;
     const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p, picture_in_turn(p)};
-    if (plot->settings->hidden == HIDDEN_HALO) {
+    if (hidden == HIDDEN_HALO) {
         err = picture_halo_surfaces(p, &job);
         p->stats.kernel_bytes = p->stats.hidden.bytes;
-    } else if (isolines || (p->spaces == 1 && is_vertical(&p->camera, lo, hi))) {
+    } else if (plain) {
         err = draw_plain(p, isolines);
         for (int32_t k = 0; k < p->spaces; k++) p->stats.facets += (int64_t)(p->grid[k].nx - 1) * (p->grid[k].ny - 1);
     } else {
-        grid_t *grid[PICTURE_LINES_MAX];
+        grid_t *grid[PICTURE_GRIDS_MAX];
         for (int32_t k = 0; k < p->spaces; k++) grid[k] = &p->grid[k];
         err = perimeter_draw_several(grid, p->spaces, &p->camera, &job, &p->stats.hidden);
         p->stats.facets = p->stats.hidden.facets;

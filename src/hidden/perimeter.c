@@ -89,15 +89,6 @@ static bool same_points(const grid_t *a, const grid_t *b) {
     return true;
 }
 
-/* Of two sweeps over the same facets. */
-static void add_sweep(hidden_stats_t *stats, const hidden_stats_t *before) {
-    stats->tests += before->tests;
-    stats->crossings += before->crossings;
-    stats->pieces += before->pieces;
-    stats->peak_upper = before->peak_upper;
-    if (stats->bytes < before->bytes) stats->bytes = before->bytes;
-}
-
 int perimeter_draw_several(grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
                            hidden_stats_t *stats) {
     sweep_t s = {0};
@@ -112,12 +103,10 @@ int perimeter_draw_several(grid_t *const grid[], int32_t n, const camera_t *cam,
     const sweep_row_t row = edges_has_bands(cover) ? cells_row : cover == COVER_WINDOWS ? holes_row : facets_row;
     int err = 0, turn = job->in_turn ? 1 : 0;
     do {
-        hidden_stats_t before = *stats;
         s = (sweep_t){0};
         err = sweep_init(&s, grid, n, cam, job, cover, turn);
         if (err == 0) err = sweep_all(&s, job, row);
         if (s.layer != NULL) sweep_account(&s, stats);
-        if (s.turn < 0) add_sweep(stats, &before);
         turn = -s.turn;
     } while (err == 0 && turn < 0);
     for (int32_t k = 0; k < n; k++) evaluated += grid[k]->evaluated;

@@ -166,14 +166,18 @@ int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row) {
 
 void sweep_account(const sweep_t *s, hidden_stats_t *stats) {
     const horizons_t *h = &s->edges.horizons;
-    stats->facets = s->facets;
-    stats->edges = s->edges.clipped;
-    stats->tests = h->count.tests + s->edges.bands.count.tests;
-    stats->crossings = h->count.crossings + s->edges.bands.count.crossings;
-    stats->pieces = s->edges.runs.pieces;
-    stats->peak_upper = h->has_upper ? h->upper.peak : 0;
-    stats->peak_lower = h->has_lower ? h->lower.peak : 0;
-    stats->bytes = s->fixed + (size_t)(stats->peak_upper + stats->peak_lower) * sizeof(pencil_t) +
-                   (size_t)s->edges.bands.peak * sizeof(int32_t);
-    if (s->edges.cover == COVER_WINDOWS) stats->bytes += windows_bytes(&s->edges.windows);
+    int32_t upper = h->has_upper ? h->upper.peak : 0, lower = h->has_lower ? h->lower.peak : 0;
+    size_t bytes =
+        s->fixed + (size_t)(upper + lower) * sizeof(pencil_t) + (size_t)s->edges.bands.peak * sizeof(int32_t);
+    if (s->edges.cover == COVER_WINDOWS) bytes += windows_bytes(&s->edges.windows);
+    if (s->turn >= 0) { /* a second sweep meets the same facets */
+        stats->facets = s->facets;
+        stats->edges = s->edges.clipped;
+    }
+    stats->tests += h->count.tests + s->edges.bands.count.tests;
+    stats->crossings += h->count.crossings + s->edges.bands.count.crossings;
+    stats->pieces += s->edges.runs.pieces;
+    stats->peak_upper += upper;
+    stats->peak_lower += lower;
+    if (stats->bytes < bytes) stats->bytes = bytes;
 }

@@ -63,7 +63,7 @@ int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam,
 /* The whole sweep. Returns 0 or the first error of row or the sink. */
 int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row);
 
-/* Fills in what the sweep took; evaluated is the caller's. */
+/* Adds what the sweep took to stats, zero before the first sweep; evaluated is the caller's. */
 void sweep_account(const sweep_t *s, hidden_stats_t *stats);
 
 /* An edge of a layer. */

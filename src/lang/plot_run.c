@@ -23,19 +23,24 @@ static int evaluation_error(session_t *s, int32_t n) {
     return 0;
 }
 
+/* The ranges of the command and those that are set, in each other's place. */
+static void swap_ranges(session_t *s) {
+    range_t *const axis[3] = {&s->settings.x, &s->settings.y, &s->settings.z};
+    for (int k = 0; k < 3; k++) {
+        range_t set = *axis[k];
+        *axis[k] = s->plot.range[k];
+        s->plot.range[k] = set;
+    }
+}
+
 static int draw(session_t *s) {
     int n = plot_items(s);
     if (n < 0) return n;
-    range_t *const axis[3] = {&s->settings.x, &s->settings.y, &s->settings.z};
-    range_t set[3];
     int32_t seed[2] = {s->lang.seed[0], s->lang.seed[1]};
-    for (int k = 0; k < 3; k++) {
-        set[k] = *axis[k];
-        *axis[k] = s->plot.range[k];
-    }
+    swap_ranges(s);
     plot_t plot = {s->plot.kind, n, s->plot.item, &s->settings};
     int err = s->port->plot(s->port->ctx, &plot);
-    for (int k = 0; k < 3; k++) *axis[k] = set[k];
+    swap_ranges(s);
     s->lang.seed[0] = seed[0];
     s->lang.seed[1] = seed[1];
     if (err == ERR_UNSUPPORTED && n > 1)

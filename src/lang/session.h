@@ -118,19 +118,21 @@ typedef struct session {
         range_t range[3]; /* given in the command, or as set */
         size_t code_len;
         session_source_t source[CONFIG_PLOT_ITEMS];
-        session_work_t work[CONFIG_PLOT_ITEMS];
-        plot_item_t item[CONFIG_PLOT_ITEMS];
         data_grid_t grid[CONFIG_PLOT_ITEMS];
         int32_t grids;
         union { /* of `plot`; of a splot of solids, by element */
             data_curve_t curve[CONFIG_PLOT_ITEMS];
             mesh_t mesh[CONFIG_PLOT_ITEMS];
         };
-        union { /* the data being read */
+        union { /* the data being read; when they are, what is drawn */
             data_reader_t reader;
             struct {
                 obj_reader_t obj;
                 affine_t affine;
+            };
+            struct {
+                session_work_t work[CONFIG_PLOT_ITEMS];
+                plot_item_t item[CONFIG_PLOT_ITEMS];
             };
         };
         uint8_t code[CONFIG_PLOT_CODE];

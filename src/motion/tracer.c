@@ -254,7 +254,8 @@ static axis_t axis_of(kinematics_pos_t pos, int64_t d, int32_t steps, int32_t go
     return a;
 }
 
-void tracer_move(tracer_t *t, const planner_move_t *mv) {
+/* The time law of a line, its three parts of which some may be empty; the clock goes on to its end. */
+static void lay_out(tracer_t *t, const planner_move_t *mv, span_t span[3]) {
     int64_t length = (int64_t)mv->length_q3 << Q16_PER_Q3;
     int64_t in = (int64_t)mv->in_q3 << Q16_PER_Q3, out = (int64_t)mv->out_q3 << Q16_PER_Q3;
     int64_t top = (int64_t)mv->top_q3 << Q16_PER_Q3;
@@ -270,12 +271,17 @@ void tracer_move(tracer_t *t, const planner_move_t *mv) {
     int64_t at_top = start + t_peak - t_in;
     int64_t leave_top = fall > risen ? at_top + cruise_time_q16(t, fall - risen) : at_top;
     t->clock_q16 = leave_top + t_peak - t_out;
-    if (t->estimate) return;
+    span[0] = (span_t){UP, 0, risen, start - t_in, 0, in};
+    span[1] = (span_t){CRUISE, risen, fall, at_top, t_peak, 0};
+    span[2] = (span_t){DOWN, fall, length, leave_top + t_peak, 0, out + length};
+}
 
+/* The steps of both motors on a line. */
+static void set_out(tracer_t *t, const planner_move_t *mv, axis_t axis[2]) {
     kinematics_pos_t end[2], then[2];
+    int64_t length = (int64_t)mv->length_q3 << Q16_PER_Q3;
     kinematics_motors(t->kin, mv->to, end);
     kinematics_motors(t->kin, mv->then, then);
-    axis_t axis[2];
     for (int m = 0; m < 2; m++) {
         int64_t d = end[m] - t->pos[m];
         int32_t goal = mv->last ? kinematics_round(end[m]) : target(t->steps[m], d, end[m], then[m] - end[m]);
@@ -284,13 +290,18 @@ void tracer_move(tracer_t *t, const planner_move_t *mv) {
         t->pos[m] = end[m];
         t->steps[m] = goal;
     }
-    bool has_cruise = fall > risen, has_down = fall < length;
-    span_t up = {UP, 0, risen, start - t_in, 0, in};
-    span_t cruise = {CRUISE, risen, fall, at_top, t_peak, 0};
-    span_t down = {DOWN, fall, length, leave_top + t_peak, 0, out + length};
-    trace_span(t, &up, axis, !has_cruise && !has_down, false);
-    if (has_cruise) trace_span(t, &cruise, axis, !has_down, false);
-    if (has_down) trace_span(t, &down, axis, true, mv->last);
+}
+
+void tracer_move(tracer_t *t, const planner_move_t *mv) {
+    span_t span[3];
+    axis_t axis[2];
+    lay_out(t, mv, span);
+    if (t->estimate) return;
+    set_out(t, mv, axis);
+    bool has_cruise = span[1].to_q16 > span[1].from_q16, has_down = span[2].from_q16 < span[2].to_q16;
+    trace_span(t, &span[0], axis, !has_cruise && !has_down, false);
+    if (has_cruise) trace_span(t, &span[1], axis, !has_down, false);
+    if (has_down) trace_span(t, &span[2], axis, true, mv->last);
 }
 
 void tracer_wait(tracer_t *t, uint32_t wait_us, uint8_t pins) {

@@ -21,7 +21,7 @@
 
 typedef struct search {
     tour_t *t;
-    int32_t todo[TODO_MAX], journal[JOURNAL_MAX][2];
+    int32_t *todo, (*journal)[2]; /* TODO_MAX, JOURNAL_MAX; after the first descent */
     int todos, journals;
     bool local; /* between kicks: use todo and the journal */
     uint32_t random;
@@ -252,16 +252,24 @@ static void undo(search_t *s) {
     }
 }
 
+/* Kicks until the operations are used up. A function of its own: its arrays are not on the stack before. */
+static __attribute__((noinline)) void kick_on(search_t *s) {
+    int32_t todo[TODO_MAX], journal[JOURNAL_MAX][2];
+    s->todo = todo;
+    s->journal = journal;
+    s->local = true;
+    while (s->t->budget > 0) {
+        int32_t cost = kick(s);
+        while (s->todos > 0) cost -= settle(s, s->todo[--s->todos]);
+        if (cost > 0) undo(s);
+    }
+}
+
 void tour_improve(tour_t *t, int64_t operations) {
     search_t s = {.t = t, .random = 1};
     t->budget = operations;
     if (t->n < 2 || operations <= 0) return;
     near_build(&t->near, t->n + 1, CROWD);
     descend(&s);
-    s.local = true;
-    while (t->n >= 4 && t->budget > 0) {
-        int32_t cost = kick(&s);
-        while (s.todos > 0) cost -= settle(&s, s.todo[--s.todos]);
-        if (cost > 0) undo(&s);
-    }
+    if (t->n >= 4) kick_on(&s);
 }
