@@ -27,6 +27,11 @@
 #define CONFIG_PLOT_ITEMS 8
 #endif
 
+/* 0 leaves out solids, their kernels and haloed lines: flash that a part with 16 KB of RAM has no use for. */
+#ifndef CONFIG_SOLIDS
+#define CONFIG_SOLIDS 1
+#endif
+
 /* Columns of a data file that `using` may speak of: 16 bytes each. */
 #ifndef CONFIG_DATA_COLUMNS
 #define CONFIG_DATA_COLUMNS 32

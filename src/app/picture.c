@@ -25,6 +25,7 @@ static size_t kernel_part(size_t arena_bytes) {
  */
 static size_t hiding_bytes(const plot_t *plot, int32_t each, bool holes) {
     const settings_t *s = plot->settings;
+    if (!CONFIG_SOLIDS && (plot->kind == PLOT_SOLIDS || s->hidden == HIDDEN_HALO)) return 0;
     if (plot->kind == PLOT_SOLIDS && s->hidden != HIDDEN_HORIZON) return picture_solids_bytes(plot);
     if (plot->kind == PLOT_CURVES || s->hidden == HIDDEN_NONE) return 0;
     if (s->hidden == HIDDEN_HORIZON) return horizon_bytes(each * s->samples[0]);
@@ -130,7 +131,7 @@ static int run(picture_t *p, const pen_sink_t *pen) {
     if (plot->kind == PLOT_CURVES)
         err = picture_curves(p, pen);
     else if (plot->kind == PLOT_SOLIDS && !picture_is_terrain(plot))
-        err = picture_solids(p, pen);
+        err = CONFIG_SOLIDS ? picture_solids(p, pen) : ERR_UNSUPPORTED;
     else if (plot->settings->hidden == HIDDEN_HORIZON)
         err = picture_profiles(p, pen);
     else
