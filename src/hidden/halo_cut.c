@@ -7,6 +7,7 @@
 #include "error.h"
 #include "hidden/halo_meet.h"
 
+#define FEW 12   /* crossings of an edge sorted by insertion */
 #define BATCH 32 /* candidates looked at together: 128 bytes of stack */
 
 /* Looks at the pairs of edge i with the edges from..to-1. */
@@ -118,6 +119,20 @@ static void group(halo_t *h) {
     for (uint32_t p = 0; p < sum; p++) h->crossing[p].edge &= ~placed;
 }
 
+/* Sorts the crossings of edges with few of them along the edge, so that DRAW has hardly anything left to sort. */
+static void sort_few(halo_t *h) {
+    for (int32_t e = 0; e < h->edges; e++) {
+        halo_crossing_t *x = &h->crossing[h->first[e]];
+        const uint32_t n = h->first[e + 1] - h->first[e];
+        for (uint32_t k = 1; n <= FEW && k < n; k++) {
+            const halo_crossing_t c = x[k];
+            uint32_t at = k;
+            for (; at > 0 && x[at - 1].at_q30 > c.at_q30; at--) x[at] = x[at - 1];
+            x[at] = c;
+        }
+    }
+}
+
 static size_t round_up(size_t bytes) {
     return (bytes + 15) & ~(size_t)15;
 }
@@ -157,5 +172,6 @@ int halo_cut(halo_t *h, int32_t reach) {
     if (h->crossings > h->room) return ERR_FULL;
     h->used = before + (size_t)h->crossings * sizeof *h->crossing;
     group(h);
+    sort_few(h);
     return 0;
 }

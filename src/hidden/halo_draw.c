@@ -80,6 +80,15 @@ static void sift(gap_t *gap, uint32_t at, uint32_t n) {
     gap[at] = g;
 }
 static void sort(gap_t *gap, uint32_t n) {
+    if (n <= FEW) {
+        for (uint32_t k = 1; k < n; k++) {
+            const gap_t g = gap[k];
+            uint32_t at = k;
+            for (; at > 0 && gap[at - 1].from_q30 > g.from_q30; at--) gap[at] = gap[at - 1];
+            gap[at] = g;
+        }
+        return;
+    }
     for (uint32_t k = n / 2; k > 0; k--) sift(gap, k - 1, n);
     while (n > 1) {
         const gap_t last = gap[--n];
@@ -89,19 +98,19 @@ static void sort(gap_t *gap, uint32_t n) {
     }
 }
 
-/* The gaps of an edge, sorted by where they begin; how many. */
+/* The gaps of an edge, sorted by where they begin; how many. They nearly are: CUT has sorted the crossings. */
 static uint32_t gaps_of(const halo_t *h, const halo_crossing_t *x, uint32_t count, int32_t width, gap_t *gap) {
-    uint32_t n = 0;
+    uint32_t n = 0, last = 0;
+    bool sorted = true;
     for (uint32_t k = 0; k < count; k++) {
         const gap_t g = gap_of(h, &x[k], width);
+        gap[n] = g;
         if (g.from_q30 > g.to_q30) continue;
-        uint32_t at = n++;
-        if (count <= FEW) {
-            for (; at > 0 && gap[at - 1].from_q30 > g.from_q30; at--) gap[at] = gap[at - 1];
-        }
-        gap[at] = g;
+        sorted &= g.from_q30 >= last;
+        last = g.from_q30;
+        n++;
     }
-    if (count > FEW) sort(gap, n);
+    if (!sorted) sort(gap, n);
     return n;
 }
 

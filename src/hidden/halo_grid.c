@@ -99,29 +99,31 @@ static inline int32_t home(const halo_grid_t *g, uint64_t box, bool row) {
     return row ? g->row[level] + r : g->base[level] + r * g->wide[level] + c;
 }
 
-/* Sorts in place by home, or only by row, and leaves in start[] where each begins. */
+/* Sorts in place by home, or only by row, and leaves in start[] where each begins. PLACED says which edges are where
+ * they belong: those that have it when sorting by row, those that have it not when sorting by home, which so ends
+ * without. */
 static void sort(const halo_grid_t *g, halo_t *h, bool row) {
-    const int32_t n = h->edges;
+    const int32_t n = h->edges, cells = row ? g->row[g->levels] : g->cells;
+    const uint64_t placed = row ? PLACED : 0;
     uint32_t *start = g->start, sum = 0;
-    for (int32_t c = 0; c <= g->cells; c++) start[c] = 0;
+    for (int32_t c = 0; c <= cells; c++) start[c] = 0;
     for (int32_t i = 0; i < n; i++) start[home(g, h->box[i], row)]++;
-    for (int32_t c = 0; c <= g->cells; c++) start[c] = sum += start[c];
+    for (int32_t c = 0; c <= cells; c++) start[c] = sum += start[c];
     /* Whatever is at p goes to the last free place of its cell, and what was there is next. */
     for (int32_t p = 0; p < n; p++) {
         uint64_t box = h->box[p];
-        if (box & PLACED) continue;
+        if ((box & PLACED) == placed) continue;
         halo_edge_t e = h->edge[p];
         for (int32_t to = -1; to != p;) {
             to = (int32_t)--start[home(g, box, row)];
             const uint64_t box_there = h->box[to];
             const halo_edge_t e_there = h->edge[to];
-            h->box[to] = box | PLACED;
+            h->box[to] = box ^ PLACED;
             h->edge[to] = e;
             box = box_there;
             e = e_there;
         }
     }
-    for (int32_t i = 0; i < n; i++) h->box[i] &= ~PLACED;
 }
 
 uint8_t *halo_grid_build(halo_grid_t *g, halo_t *h, uint8_t *mem, size_t bytes) {
@@ -131,8 +133,9 @@ uint8_t *halo_grid_build(halo_grid_t *g, halo_t *h, uint8_t *mem, size_t bytes) 
     if (size > bytes) return NULL;
     g->start = (uint32_t *)(void *)mem;
     g->pad = h->reach == 0 ? 0 : (int32_t)((uint64_t)(uint32_t)grow * g->mul >> g->mul_shift) + 1;
-    for (int32_t i = 0; i < h->edges; i++) h->box[i] = box_of(g, &h->edge[i], grow);
-    if (h->edges > MANY) sort(g, h, true);
+    const bool many = h->edges > MANY;
+    for (int32_t i = 0; i < h->edges; i++) h->box[i] = box_of(g, &h->edge[i], grow) | (many ? 0 : PLACED);
+    if (many) sort(g, h, true);
     sort(g, h, false);
     return mem + size;
 }
