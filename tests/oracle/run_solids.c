@@ -47,7 +47,7 @@ static int take(void *ctx, const ink_piece_t *p) {
     return 0;
 }
 
-static void make_mesh(const solid_ref_t *r, mesh_t *m) {
+void solid_scene_mesh(const solid_ref_t *r, mesh_t *m) {
     packed_t(*vertex)[3] = malloc((size_t)r->nv * sizeof *vertex);
     int32_t words = r->nc + r->nf + 3 * r->nl, *top = (int32_t *)malloc((size_t)words * sizeof *top) + words, *w = top;
     for (int v = 0; v < r->nv; v++) {
@@ -67,6 +67,11 @@ static void make_mesh(const solid_ref_t *r, mesh_t *m) {
     *m = (mesh_t){.nv = r->nv, .words = words, .faces = r->nf, .corners = r->nc, .segments = r->nl};
     m->vertex = (const packed_t(*)[3])vertex;
     m->top = top;
+}
+
+void solid_scene_mesh_free(mesh_t *m) {
+    free((void *)(uintptr_t)m->vertex);
+    free((void *)(uintptr_t)(m->top - m->words));
 }
 
 static void page_of(const camera_t *cam, page_view_t *v, exact_eye_t *eye) {
@@ -115,10 +120,9 @@ bool solid_scene_judge(const solid_scene_t *s, judge_report_t *out) {
     mesh_t mesh;
     ink_t ink = {0};
     *out = (judge_report_t){0};
-    make_mesh(&ref, &mesh);
+    solid_scene_mesh(&ref, &mesh);
     int err = draw(s, &mesh, &ref, &view, &ink);
-    free((void *)(uintptr_t)mesh.vertex);
-    free((void *)(uintptr_t)(mesh.top - mesh.words));
+    solid_scene_mesh_free(&mesh);
     bool good = err == ERR_VALUE || err == ERR_EMPTY; /* all behind the eye; nothing with a length */
     if (!err && solid_ref_eye_touches(&ref)) {
         good = true;

@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "lang/settings.h"
+#include "scene/mesh.h"
 #include "tests/oracle/solid_ref.h"
 
 typedef struct solid_scene {
@@ -18,6 +19,9 @@ typedef struct solid_scene {
  * area. Seen from anywhere, from along the axes, from inside of the box, from the plane of a face. */
 void solid_scene_random(solid_scene_t *s, uint64_t seed, int objects);
 void solid_scene_free(solid_scene_t *s);
+/* Its faces and lines as the program has them. */
+void solid_scene_mesh(const solid_ref_t *r, mesh_t *m);
+void solid_scene_mesh_free(mesh_t *m);
 /* Draws it with the convex kernel; true if it is within the limits of run_cases.h. */
 bool solid_scene_judge(const solid_scene_t *s, judge_report_t *out);
 
