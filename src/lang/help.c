@@ -47,6 +47,7 @@ static const topic_t topics[] = {
      "                                     middle of the plot is looked at\n"},
     {"hid$den3d",
      "set hidden3d [perimeter]             hidden lines removed, the default\n"
+     "set hidden3d [convex] [dashed]       solids; dashed: hidden parts are drawn with dashes\n"
      "set hidden3d horizon [infinite]      profiles across the view (a ridgeline drawing); infinite: one side only\n"
      "set hidden3d halo                    every line is drawn, with a gap where it passes behind another: help halo\n"
      "unset hidden3d                       every line is drawn\n"},
@@ -76,7 +77,12 @@ static const topic_t topics[] = {
      "Rows x y z, isolines separated by a blank line, data sets by two; or rows of one z: x and y are then counted\n"
      "from 0. Points must lie on a grid of x and y lines, spaced as they like. NaN and ? are holes; # begins a\n"
      "comment. using 1:2:($3*2) computes from columns; using 1 takes one column of heights.\n"
-     "splot 'terrain.obj': a terrain of triangles, for set hidden3d horizon.\n"},
+     "help solids: OBJ files.\n"},
+    {"sol$ids",
+     "splot 'a.obj' [translate X,Y,Z] [rotate X,Y,Z] [scale S] [crease A], 'b.obj' ...\n"
+     "splot '-' solid     rows of OBJ text up to a line e: v x y z, f a b c ..., l a b, o name\n"
+     "Moved in the order of the words; degrees about x, then y, then z. crease: edges between faces that meet at less\n"
+     "than A degrees only where they are outlines. With set hidden3d horizon an OBJ file is a terrain.\n"},
     {"fu$nctions",
      "abs acos asin atan atan2 besj0 besj1 ceil cos cosh erf exp floor gamma int invnorm log log10 max min norm\n"
      "rand real sgn sin sinh sqrt tan tanh; operators ** ! - + * / % << >> < <= > >= == != & ^ | && || ?:\n"
