@@ -63,7 +63,7 @@ static void add_base_plane(const settings_t *s, bool reverse, num_t *lo, num_t *
 int picture_camera(picture_t *p, const num_t lo[3], const num_t hi[3]) {
     const settings_t *s = p->plot->settings;
     const range_t *range[3] = {&s->x, &s->y, &s->z};
-    view_box_t box = {.solid = p->plot->kind == PLOT_SOLIDS && !picture_is_terrain(p->plot)};
+    view_box_t box = {.solid = picture_is_solid(p->plot)};
     for (int k = 0; k < 3; k++) {
         box.lo[k] = lo[k];
         box.hi[k] = hi[k];

@@ -113,7 +113,7 @@ size_t picture_halo_bytes(const plot_t *plot, int32_t crossings_each) {
     size_t edges = 0;
     for (int32_t k = 0; k < plot->n; k++) {
         const plot_item_t *item = &plot->item[k];
-        if (plot->kind == PLOT_SURFACES) {
+        if (!item->solid) {
             edges += 2 * (size_t)item->surface.nx * (size_t)item->surface.ny;
         } else {
             /* two faces have an edge in common */

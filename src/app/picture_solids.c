@@ -4,44 +4,96 @@
 #include "error.h"
 #include "hidden/convex.h"
 #include "hidden/wires.h"
+#include "scene/surface_mesh.h"
 #include "view/dash.h"
 
 static void hide_tick(void *ctx, int32_t done, int32_t of) {
     picture_tell(ctx, PICTURE_HIDE, done, of);
 }
 
-static int32_t list_meshes(const plot_t *plot, const mesh_t *mesh[CONFIG_PLOT_ITEMS]) {
-    for (int32_t k = 0; k < plot->n; k++) mesh[k] = &plot->item[k].mesh;
-    return plot->n;
+/* The meshes of all items; those of surfaces have their counts only. */
+typedef struct meshes {
+    mesh_t of[CONFIG_PLOT_ITEMS];
+    const mesh_t *list[CONFIG_PLOT_ITEMS];
+} meshes_t;
+
+static void list_meshes(const plot_t *plot, meshes_t *m) {
+    for (int32_t k = 0; k < plot->n; k++) {
+        m->list[k] = plot->item[k].solid ? &plot->item[k].mesh : &m->of[k];
+        if (!plot->item[k].solid) surface_mesh_counts(&plot->item[k].surface, &m->of[k]);
+    }
+}
+
+bool picture_is_solid(const plot_t *plot) {
+    bool solid = plot->kind == PLOT_SOLIDS && !picture_is_terrain(plot);
+    for (int32_t k = 0; k < plot->n; k++) solid &= plot->item[k].solid;
+    return solid;
+}
+
+static size_t surfaces_bytes(const plot_t *plot) {
+    size_t bytes = 0;
+    for (int32_t k = 0; k < plot->n; k++) {
+        const surface_t *s = &plot->item[k].surface;
+        if (!plot->item[k].solid) bytes += (SURFACE_MESH_BYTES(s->nx, s->ny) + 15) & ~(size_t)15;
+    }
+    return bytes;
 }
 
 size_t picture_solids_bytes(const plot_t *plot) {
-    const mesh_t *mesh[CONFIG_PLOT_ITEMS];
-    int32_t n = list_meshes(plot, mesh), vertices = 0, corners = 0, faces = 0, segments = 0;
-    for (int32_t k = 0; k < n; k++) {
-        vertices += mesh[k]->nv;
-        faces += mesh[k]->faces;
-        corners += mesh[k]->corners;
-        segments += mesh[k]->segments;
+    meshes_t m;
+    mesh_t sum = {0};
+    list_meshes(plot, &m);
+    for (int32_t k = 0; k < plot->n; k++) {
+        sum.nv += m.list[k]->nv;
+        sum.faces += m.list[k]->faces;
+        sum.corners += m.list[k]->corners;
+        sum.segments += m.list[k]->segments;
     }
-    size_t bytes = solid_bytes(mesh, n) + SOLID_MAP_BYTES(vertices);
+    size_t bytes = solid_bytes(m.list, plot->n) + SOLID_MAP_BYTES(sum.nv) + surfaces_bytes(plot);
     if (plot->settings->hidden == HIDDEN_NONE) return bytes;
     if (plot->settings->hidden == HIDDEN_HALO) return bytes + picture_halo_bytes(plot, 4);
-    return bytes + convex_bytes(faces, corners, segments);
+    return bytes + convex_bytes(sum.faces, sum.corners, sum.segments);
+}
+
+/* Surfaces among the solids become meshes, at the upper end of the arena, until all is put together. */
+static int make_surfaces(picture_t *p, meshes_t *m) {
+    const plot_t *plot = p->plot;
+    const range_t *z = &plot->settings->z;
+    for (int32_t k = 0; k < plot->n; k++) {
+        const surface_t *s = &plot->item[k].surface;
+        if (plot->item[k].solid) continue;
+        size_t bytes = (SURFACE_MESH_BYTES(s->nx, s->ny) + 15) & ~(size_t)15;
+        if ((int64_t)s->nx * s->ny > INT32_MAX / 8 || bytes + 16 > arena_left(&p->arena)) return ERR_FULL;
+        uintptr_t end = (uintptr_t)(p->arena.base + p->arena.bytes);
+        p->arena.bytes -= bytes + end % 16;
+        surface_mesh(s, z->auto_lo ? NULL : &z->lo, z->auto_hi ? NULL : &z->hi, p->arena.base + p->arena.bytes,
+                     &m->of[k]);
+        p->stats.evaluated += (int64_t)s->nx * s->ny;
+    }
+    return 0;
 }
 
 /* The scene in the arena, of which it keeps only what it needs. */
-static int build(picture_t *p) {
-    const mesh_t *mesh[CONFIG_PLOT_ITEMS];
-    int32_t n = list_meshes(p->plot, mesh);
+static int put_together(picture_t *p) {
+    meshes_t m;
+    const size_t all = p->arena.bytes;
+    list_meshes(p->plot, &m);
+    int err = make_surfaces(p, &m);
+    if (err) return err;
     size_t bytes = arena_left(&p->arena);
-    arena_t before = p->arena;
+    const arena_t before = p->arena;
     bytes = bytes > 16 ? bytes - 16 : 0;
     void *mem = arena_take(&p->arena, bytes);
-    int err = solid_build(&p->solid, mesh, n, mem, bytes);
-    if (err) return err;
+    err = solid_build(&p->solid, m.list, p->plot->n, mem, bytes);
     p->arena = before;
-    arena_take(&p->arena, p->solid.bytes); /* the same place */
+    p->arena.bytes = all;
+    if (!err) arena_take(&p->arena, p->solid.bytes); /* the same place */
+    return err;
+}
+
+static int build(picture_t *p) {
+    int err = put_together(p);
+    if (err) return err;
     void *place = arena_take(&p->arena, SOLID_MAP_BYTES(p->solid.nv));
     if (!place) return ERR_FULL;
     p->stats.map_bytes = p->solid.bytes + SOLID_MAP_BYTES(p->solid.nv);

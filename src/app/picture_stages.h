@@ -13,6 +13,8 @@ int picture_solids(picture_t *p, const pen_sink_t *pen);   /* picture_solids.c *
 int picture_halo_surfaces(picture_t *p, const hidden_job_t *job); /* picture_halo.c */
 int picture_halo_solids(picture_t *p, const hidden_job_t *job);
 size_t picture_halo_bytes(const plot_t *plot, int32_t crossings_each);
+/* Solids and nothing else: a unit is equally long along all axes. */
+bool picture_is_solid(const plot_t *plot);
 /* Bytes that putting solids together and hiding their lines takes, but for freakish scenes. */
 size_t picture_solids_bytes(const plot_t *plot);
 /* A terrain that is cut into profiles? Otherwise PLOT_SOLIDS are solids. */

@@ -183,6 +183,21 @@ static void add_triangle(void *ctx, const int32_t v[3]) {
     if (side > 0 || (side < 0 && fill->open)) add_polygon(fill->s, &fill->at, v, 3, &n, side < 0);
 }
 
+static int triangle_side(const shadows_t *s, const int32_t v[3]) {
+    const solid_vertex_t *vertex = s->map->solid->vertex;
+    solid_normal_t n = solid_cross(solid_sub(&vertex[v[1]], &vertex[v[0]]), solid_sub(&vertex[v[2]], &vertex[v[0]]));
+    return eye_side(s, &n, &vertex[v[0]]);
+}
+
+/* A cell of a surface is not flat. Of its two diagonals the one is taken whose triangles look the same way: then no
+ * diagonal, which is no ink, is an outline. */
+static void add_cell(filling_t *fill, const int32_t c[4]) {
+    const int32_t one[2][3] = {{c[0], c[1], c[2]}, {c[0], c[2], c[3]}},
+                  other[2][3] = {{c[1], c[2], c[3]}, {c[1], c[3], c[0]}};
+    bool good = triangle_side(fill->s, one[0]) == triangle_side(fill->s, one[1]);
+    for (int k = 0; k < 2; k++) add_triangle(fill, good ? one[k] : other[k]);
+}
+
 /* Faces one by one, cut into triangles where they must be. spare: what triangulate() needs. */
 static int fill_faces(filling_t *fill, void *spare, size_t bytes) {
     const shadows_t *s = fill->s;
@@ -193,6 +208,10 @@ static int fill_faces(filling_t *fill, void *spare, size_t bytes) {
         solid_normal_t n = solid_face_normal(solid, f);
         if (s->face[f] & SHADOW_BENT) {
             fill->open = s->object[face->object] == SOLID_OPEN;
+            if (face->n == 4 && fill->open) {
+                add_cell(fill, solid->corner + face->corner);
+                continue;
+            }
             int err = triangulate(solid, f, &n, spare, bytes, add_triangle, fill);
             if (err) return err;
         } else {

@@ -14,7 +14,7 @@
 enum plot_kind {
     PLOT_SURFACES, /* splot of expressions and data grids */
     PLOT_CURVES,   /* plot */
-    PLOT_SOLIDS,   /* splot of OBJ files: solids, or with HIDDEN_HORIZON a terrain */
+    PLOT_SOLIDS,   /* splot with OBJ files: solids, maybe among surfaces; or with HIDDEN_HORIZON a terrain */
 };
 
 typedef struct plot_item {
@@ -22,6 +22,7 @@ typedef struct plot_item {
      */
     const char *title;
     int32_t title_len;
+    bool solid; /* of PLOT_SOLIDS: mesh, otherwise surface */
     union {
         struct {
             surface_t surface; /* the grid that hidden lines are removed from: isosamples x isosamples, or the data */

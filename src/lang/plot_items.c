@@ -80,13 +80,6 @@ static int data_item(session_t *s, const session_source_t *src, const data_grid_
 int plot_items(session_t *s) {
     int n = 0;
     num_t lo[2], hi[2];
-    if (s->plot.kind == PLOT_SOLIDS) {
-        for (int32_t k = 0; k < s->plot.sources; k++) {
-            const session_source_t *src = &s->plot.source[k];
-            s->plot.item[k] = (plot_item_t){.title = src->title, .title_len = src->title_len, .mesh = s->plot.mesh[k]};
-        }
-        return s->plot.sources;
-    }
     bool function = false;
     for (int32_t k = 0; k < s->plot.sources; k++) function |= s->plot.source[k].kind == SOURCE_EXPR;
     for (int k = 0; function && k < (s->plot.kind == PLOT_CURVES ? 1 : 2); k++) { /* y is no variable of curves */
@@ -96,15 +89,18 @@ int plot_items(session_t *s) {
     for (int32_t k = 0; k < s->plot.sources; k++) {
         const session_source_t *src = &s->plot.source[k];
         bool data = src->kind != SOURCE_EXPR;
-        for (int32_t g = 0; g < (data ? src->grids : 1); g++, n++) {
+        for (int32_t g = 0; g < (data && !src->solid ? src->grids : 1); g++, n++) {
             if (n == CONFIG_PLOT_ITEMS)
                 return lang_error_set_number(&s->error, ERR_FULL, src->column, "too much for one plot; most surfaces",
                                              CONFIG_PLOT_ITEMS);
             plot_item_t *item = &s->plot.item[n];
             item->title = src->title;
             item->title_len = src->title_len;
+            item->solid = src->solid;
             int err = 0;
-            if (data && s->plot.kind == PLOT_CURVES)
+            if (src->solid)
+                item->mesh = s->plot.mesh[k];
+            else if (data && s->plot.kind == PLOT_CURVES)
                 data_curve_get(&s->plot.curve[src->first_grid], &item->curve, NULL);
             else if (data)
                 err = data_item(s, src, &s->plot.grid[src->first_grid + g], &s->plot.work[n], item);

@@ -169,10 +169,7 @@ int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind) {
         if (src->kind == SOURCE_EXPR) err = try_out(s, src);
         if (src->solid && kind == PLOT_CURVES)
             err = lang_error_set(&s->error, ERR_UNSUPPORTED, src->column, "solids are drawn by splot");
-        else if (src->solid != s->plot.source[0].solid)
-            err =
-                lang_error_set(&s->error, ERR_UNSUPPORTED, src->column, "solids and surfaces need plots of their own");
+        if (src->solid) s->plot.kind = PLOT_SOLIDS;
     }
-    if (s->plot.source[0].solid) s->plot.kind = PLOT_SOLIDS;
     return err;
 }

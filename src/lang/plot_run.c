@@ -13,7 +13,7 @@ static int evaluation_error(session_t *s, int32_t n) {
     for (int32_t k = 0; k < s->plot.sources && item < n; k++) {
         const session_source_t *src = &s->plot.source[k];
         if (src->kind != SOURCE_EXPR) {
-            item += src->grids;
+            item += src->solid ? 1 : src->grids;
             continue;
         }
         int err = s->plot.work[item++].expr.source.error;
@@ -43,6 +43,10 @@ static int draw(session_t *s) {
     swap_ranges(s);
     s->lang.seed[0] = seed[0];
     s->lang.seed[1] = seed[1];
+    if (err == ERR_UNSUPPORTED && s->plot.kind == PLOT_SOLIDS)
+        return plot_fail(s, &s->plot.source[0], err,
+                         s->settings.hidden == HIDDEN_HORIZON ? "a terrain is drawn alone; solids want set hidden3d"
+                                                              : "this set hidden3d cannot draw this scene");
     if (err == ERR_UNSUPPORTED && n > 1)
         return plot_fail(s, &s->plot.source[s->plot.sources > 1], err,
                          "surfaces cannot hide each other here; try unset hidden3d");

@@ -364,7 +364,9 @@ static void terrains_are_meshes(void **state) {
         session_init(&f->session, &f->port, f->pool, units * 8);
         assert_int_equal(fixture_feed(f, "splot 't.obj'"), units < 11 ? ERR_FULL : 0); /* 9 for vertices, 2 */
     }
-    assert_int_equal(fixture_feed(f, "splot 't.obj', x*y"), ERR_UNSUPPORTED);
+    assert_int_equal(fixture_feed(f, "splot 't.obj', x*y"), 0); /* among surfaces */
+    assert_int_equal(f->kind, PLOT_SOLIDS);
+    assert_int_equal(f->items, 2);
 }
 
 /* Whole megabytes through the reader alone. */

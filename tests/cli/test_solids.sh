@@ -1,0 +1,101 @@
+#!/bin/sh
+# Solids from outside: files of three formats, moved, among surfaces, with mistakes.
+. tests/cli/lib.sh
+
+ink() { awk 'NR > 1 { s += sqrt(($1-$3)^2 + ($2-$4)^2) } END { printf "%.3f\n", s }' "$1"; }
+# near A B: equal to 0.05 mm
+near() { awk "BEGIN { d = $1 - $2; exit !(d < 0.05 && d > -0.05) }" || { echo "ink $1 and $2 mm"; return 1; }; }
+
+cube() {
+    printf 'o cube\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n'
+    printf 'f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n'
+}
+
+# Convex against perimeter: the cells of a(x)+b(y) are flat, so both know the same surface. (A wire too short to see makes
+# it a scene of solids.)
+a_surface_of_facets_is_the_surface() {
+    for view in 'from 12,-14,9 to 0,0,0' 'from 9,3,2 to 0,0,0' 'from 1,-7,0 to 0,0,0' 'from 2,1,5 to 0,0,-1' 60,30 75,110; do
+        printf 'set xrange [-4:4]; set yrange [-4:4]; set isosamples 30; set view %s\nunset border; unset tics
+f(x,y) = sin(2*x)*.8 + cos(y)*.7\nsplot f(x,y)\nsplot f(x,y), "-" solid\nv 0 0 0\nv 0 0 .00001\nl 1 2\ne\n' "$view" >s.gp
+        ridgeline plot s.gp -o s.seg 2>/dev/null
+        near "$(ink s.seg)" "$(ink s-2.seg)"
+        echo "# $view: perimeter $(ink s.seg) mm, convex $(ink s-2.seg) mm"
+    done
+}
+
+formats_are_the_same_body() {
+    cube >a.obj
+    awk '/^v/ { x[++n] = $2 " " $3 " " $4 }
+         /^f/ { for (k = 3; k < 5; k++) print " facet normal 0 0 0\n outer loop\n vertex " x[$2] "\n vertex " x[$k] "\n vertex " \
+                    x[$(k+1)] "\n endloop\n endfacet" }' a.obj | { echo solid s; cat; echo endsolid s; } >a.stl
+    awk 'BEGIN { print "OFF # a cube\n8 6 12" } /^v/ { print $2, $3, $4 } /^f/ { print 4, $2-1, $3-1, $4-1, $5-1, "1 0 0" }' a.obj >a.off
+    for f in obj stl off; do
+        echo "splot 'a.$f' rotate 10,20,30 translate 1,2,3 scale 2" >a.gp
+        ridgeline plot a.gp -o $f.seg
+    done
+    near "$(ink obj.seg)" "$(ink off.seg)"
+    near "$(ink obj.seg)" "$(ink stl.seg)" # its diagonals are no edges
+    [ "$(sed 1d obj.seg | wc -l)" -ge 9 ]
+}
+
+a_binary_stl_is_read() {
+    { # a tetrahedron: little-endian floats, of 0, 1
+        o='\0\0\0\0' i='\0\0\200\77' n='\0\0\0\0\0\0\0\0\0\0\0\0'
+        printf 'solid but binary'; head -c 64 /dev/zero; printf '\4\0\0\0'
+        printf "$n$o$o$o$o$i$o$i$o$o\0\0"; printf "$n$o$o$o$i$o$o$o$o$i\0\0"
+        printf "$n$o$o$o$o$o$i$o$i$o\0\0"; printf "$n$i$o$o$o$i$o$o$o$i\0\0"
+    } >t.STL
+    [ "$(wc -c <t.STL)" -eq 284 ]
+    echo "splot 't.STL'" >t.gp
+    ridgeline plot t.gp -o t.seg
+    [ "$(sed 1d t.seg | wc -l)" -ge 5 ]
+}
+
+what_is_wrong_is_said() {
+    printf 'solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 z\n' >a.stl
+    echo 'splot "a.stl"' >a.gp
+    expect_status 2 ridgeline plot a.gp -o a.svg 2>err
+    expect_text err 'a.stl: line 4: not a number'
+    printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n' >a.off
+    echo 'splot "a.off"' >a.gp
+    expect_status 2 ridgeline plot a.gp -o a.svg 2>err
+    expect_text err 'a.off: line 6: there is no vertex of this number'
+    printf 'v 0 0 0\nv 1 0 0\nf 1 2 7\n' >a.obj
+    echo 'splot "a.obj"' >a.gp
+    expect_status 2 ridgeline plot a.gp -o a.svg 2>err
+    expect_text err 'line 3, column 7: there is no vertex of this number'
+    for bad in 'splot x*y translate 1,2,3' 'splot "a.obj" translate 1,2' 'splot "a.obj" scale 0' 'splot "a.obj" crease 90' \
+        'plot "a.obj"' 'splot "a.obj" matrix solid'; do
+        echo "$bad" >b.gp
+        expect_status 2 ridgeline plot b.gp -o a.svg 2>err
+        expect_text err '"b.gp", line 1, column '
+    done
+    [ ! -e a.svg ]
+    { cube; printf 'p 1\nusemtl red\np 2\n'; } >a.obj
+    ridgeline plot a.gp -o a.seg 2>err
+    [ "$(wc -l <err)" -eq 1 ]
+    expect_text err 'line 16 of the data: p is not supported'
+}
+
+rows_as_they_are_typed() {
+    cube >a.obj
+    { echo 'set view 65,40'; echo "splot '-' solid translate 1,0,0"; cat a.obj; echo e; } >a.gp
+    printf "set view 65,40\nsplot 'a.obj' translate 1,0,0\n" >b.gp
+    ridgeline plot a.gp -o a.seg
+    ridgeline plot b.gp -o b.seg
+    cmp a.seg b.seg
+}
+
+hidden_parts_are_dashed() {
+    cube >a.obj
+    printf "splot 'a.obj'\nset hidden3d dashed; replot\nunset hidden3d; replot\n" >a.gp
+    ridgeline plot a.gp -o a.seg
+    awk "BEGIN { a = $(ink a.seg); b = $(ink a-2.seg); c = $(ink a-3.seg); exit !(a < b && b < c && (b - a) / (c - a) < 0.7) }"
+    # exactly along an axis nothing hidden is left
+    printf "set view 90,0\nsplot 'a.obj'\n" >b.gp
+    ridgeline plot b.gp -o b.seg
+    [ "$(sed 1d b.seg | wc -l)" -eq 4 ]
+}
+
+run_tests a_surface_of_facets_is_the_surface formats_are_the_same_body a_binary_stl_is_read what_is_wrong_is_said \
+    rows_as_they_are_typed hidden_parts_are_dashed
