@@ -21,7 +21,7 @@ typedef struct plot_item {
     /* What `title` says, else the expression or file name, as it was typed; nothing for notitle. Not ended by a zero.
      */
     const char *title;
-    int32_t title_len;
+    int16_t title_len;
     bool solid; /* of PLOT_SOLIDS: mesh, otherwise surface */
     union {
         struct {

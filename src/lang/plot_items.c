@@ -95,7 +95,7 @@ int plot_items(session_t *s) {
                                              CONFIG_PLOT_ITEMS);
             plot_item_t *item = &s->plot.item[n];
             item->title = src->title;
-            item->title_len = src->title_len;
+            item->title_len = (int16_t)src->title_len; /* of a line of CONFIG_LINE_MAX bytes */
             item->solid = src->solid;
             int err = 0;
             if (src->solid)
