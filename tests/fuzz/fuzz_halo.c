@@ -33,6 +33,7 @@ static int32_t number(const uint8_t **at, int bytes) {
     return v;
 }
 
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     static uint64_t memory[40000];
     if (size < 4) return 0;

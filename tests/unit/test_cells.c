@@ -215,7 +215,8 @@ static void test_refusals(void **state) {
     static drawn_t d;
     make(&s, 1);
     one_t one = {&s, 0};
-    surface_t a = {N, N, &one, axis_of, axis_of, height_of}, b = {N, N, &one, half_axis, axis_of, height_of};
+    surface_t a = {N, N, &one, axis_of, axis_of, height_of, NULL},
+              b = {N, N, &one, half_axis, axis_of, height_of, NULL};
     grid_t ga, gb, *list[2] = {&ga, &gb};
     grid_measure(&ga, &a, NULL, NULL, NULL, NULL, NULL);
     grid_measure(&gb, &b, NULL, NULL, NULL, NULL, NULL);
