@@ -175,11 +175,13 @@ static const hard_case_t list[] = {
     /* What coincides. */
     {"facets exactly edge-on", plane, 17, 17, {8, -2, 3, 1}, 0, 0},
     {"facets exactly edge-on, parallel", plane, 17, 17, {2, 1, 0, 0}, 0, 0},
-    {"rows coincide", along_x, 17, 17, {0, -1, 0, 0}, 0, 0},
+    {"exactly coincident edges", along_x, 17, 17, {0, -1, 0, 0}, 0, 0},
     {"twisted quads", twisted, 10, 10, FROM_P, 0, 0},
     {"twisted quads, diagonal", twisted, 10, 10, {1, 1, .3, 0}, 0, 0},
     {"crossings at vertices", saw, 17, 17, {1, 1, -1, 0}, 0, 0},
     {"near-parallel edges", along_x, 17, 17, {.001, -1, .0001, 0}, 0, 0},
+    {"slivers below a step", noise, 30, 30, FROM_P, 1e6, 0},
+    {"slivers below a step, parallel", wave, 30, 30, {1, -.02, .3, 0}, 1e6, 0},
     {"constant", constant, 20, 20, {6, 8, 9, 1}, 0, 0},
     {"constant, level", constant, 20, 20, {6, 8, 7, 1}, 0, 0},
     /* Sizes. */
@@ -187,6 +189,7 @@ static const hard_case_t list[] = {
     {"2x2 twisted", twisted, 2, 2, {0, 3, .5, 1}, 0, 0},
     {"2x2 from over its middle", noise, 2, 2, {0, 0, 3, 1}, 0, 0},
     {"2x60", noise, 2, 60, FROM_P, 0, 0},
+    {"2x2000", noise, 2, 2000, {6, -1, 3, 1}, 0, 0},
     {"60x2 in its plane", noise, 60, 2, {9, 2, .7, 1}, 0, 0},
     {"cells from 1e-4 to 1", noise, 30, 30, FROM_P, 1e4, 0},
     {"cells from 1e-4 to 1, level", smooth, 30, 30, {3, 2.5, .3, 1}, 1e4, 0},

@@ -5,6 +5,7 @@
 #include "view/chart.h"
 
 int lattice_shift;
+int lattice_simplify;
 int lattice_profiles;
 
 void __real_chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam, chart_column_t *column);
@@ -42,7 +43,24 @@ int __wrap_horizons_init(horizons_t *h, bool upper, bool lower, int32_t narrow, 
                                 ctx);
 }
 
+/* Takes what is nearly straight out of the part of a horizon that was just made: left of the gap. */
+static void simplify(envelope_t *h) {
+    enum { REACH = 6 };
+    for (pencil_t *v = h->l - 2; v > h->base + 1 && v >= h->l - REACH; v--) {
+        pencil_t p = v[-1], q = v[1];
+        if (p.a >= v->a || v->a >= q.a) continue; /* a jump */
+        if (p.w == ENVELOPE_FLOOR || v->w == ENVELOPE_FLOOR || q.w == ENVELOPE_FLOOR) continue;
+        int64_t off = envelope_orient(p, q, *v), most = (int64_t)(q.a - p.a) * lattice_simplify;
+        if (off > most || off < -most) continue;
+        for (pencil_t *to = v; to + 1 < h->l; to++) *to = to[1];
+        h->l--;
+    }
+}
+
 int __wrap_horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1) {
-    return lattice_profiles ? __real_horizons_clip(h, coarse_point(p0), coarse_point(p1))
-                            : __real_horizons_clip(h, p0, p1);
+    int err = lattice_profiles ? __real_horizons_clip(h, coarse_point(p0), coarse_point(p1))
+                               : __real_horizons_clip(h, p0, p1);
+    if (lattice_simplify && !err && h->has_upper) simplify(&h->upper);
+    if (lattice_simplify && !err && h->has_lower) simplify(&h->lower);
+    return err;
 }

@@ -1,4 +1,5 @@
-/* lattice.h - a coarser lattice under the kernels, to see what its bits are worth.
+/* lattice.h - a coarser lattice under the kernels, or simpler horizons, to see what its bits and their vertices are
+ * worth.
  *
  * The kernels decide on integers of 2^30 units a side; lattice_shift bits are taken off whatever the chart (or, for
  * profiles, the horizon kernel) hands them. So crossings are rounded to the coarser lattice too, and the dead zone of
@@ -12,6 +13,7 @@
 #define LATTICE_SHIPPED 15
 
 extern int lattice_shift;    /* bits to take off; 0: as shipped */
+extern int lattice_simplify; /* vertices this near (units) to the line of their neighbours leave a horizon; 0: none */
 extern int lattice_profiles; /* 1: the horizon kernel is being run, which has no chart */
 
 /* The shift that leaves so many bits below a step. */

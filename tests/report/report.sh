@@ -44,6 +44,7 @@ costs() {
     echo 'Every table is there as `.tsv`, too.'
     echo
     "$bin/report_error" "$out"
+    "$bin/report_simplify" "$out"
     costs
     sh tests/report/boards.sh "$1" "$out"
     for section in formats hard needs papers; do

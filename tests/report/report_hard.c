@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "tests/oracle/compare_ink.h"
 #include "tests/oracle/hard_list.h"
 #include "tests/report/naive.h"
 
@@ -79,9 +80,30 @@ static void caption(cairo_t *cr, double x, double y, const char *text, double sh
     cairo_new_path(cr);
 }
 
-static judge_report_t judged(const scene_t *s, const run_drawing_t *d) {
+/* What of d lies on the lines that the judge looks at. */
+static run_drawing_t on_judged_lines(const run_drawing_t *d, int every) {
+    run_drawing_t few = {.piece = malloc((d->n + 1) * sizeof *few.piece)};
+    if (!few.piece) abort();
+    for (size_t i = 0; i < d->n; i++)
+        if ((d->piece[i].line + d->piece[i].family) % every == every / 2) few.piece[few.n++] = d->piece[i];
+    return few;
+}
+
+/* Where there are too many pieces for the judge: held against a drawing that is right. */
+static judge_report_t compared(const scene_t *s, const run_drawing_t *d, const run_drawing_t *right, int every) {
+    run_drawing_t a = on_judged_lines(right, every), b = on_judged_lines(d, every);
+    judge_report_t r = {.missing_mm = compare_ink(s, &b, &a, COMPARE_WITHIN, NULL),
+                        .false_mm = compare_ink(s, &a, &b, COMPARE_WITHIN, NULL)};
+    run_drawing_free(&a);
+    run_drawing_free(&b);
+    return r;
+}
+
+/* every: judges every so-manieth line only; 0: all. */
+static judge_report_t judged(const scene_t *s, const run_drawing_t *d, int every) {
     judge_report_t r = {0};
     judge_subject_t what = judge_surface(&s->ref);
+    what.every = every;
     if (judge_pieces(&what, &s->view, d->piece, d->n, &r)) abort();
     return r;
 }
@@ -112,34 +134,56 @@ typedef struct account {
     int naive_wrong;
 } account_t;
 
-static void one(int i, cairo_t *cr, FILE *md, FILE *tsv, account_t *all) {
-    scene_t s;
+/* Draws s in both ways, judges, and enters it as number i, called name, on the sheet. part: what of the page is shown,
+ * or NULL for all that has ink. */
+static void enter(int i, const char *name, const scene_t *s, int every, const box_t *part, cairo_t *cr, FILE *md,
+                  FILE *tsv, account_t *all) {
     run_drawing_t ours = {0}, naive = {0};
     hidden_stats_t stats;
     box_t box = {INFINITY, INFINITY, -INFINITY, -INFINITY};
     char text[160];
-    hard_list_build(i, &s);
-    run_perimeter(&s, &ours, &stats);
-    naive_draw(&s, &naive);
-    judge_report_t a = judged(&s, &ours), b = judged(&s, &naive);
+    run_perimeter(s, &ours, &stats);
+    naive_draw(s, &naive);
+    judge_report_t a = judged(s, &ours, every);
+    judge_report_t b = every ? compared(s, &naive, &ours, every) : judged(s, &naive, 0);
     judge_worst(&all->ours, &a);
     judge_worst(&all->naive, &b);
     all->naive_wrong += b.missing_mm > JUDGE_STEP_MM || b.false_mm > JUDGE_STEP_MM;
-    fprintf(md, "| %d | %s | %.2f | %.2f | %.2f | %.0f | %.0f |\n", i, s.what, steps(a.missing_mm), steps(a.false_mm),
+    fprintf(md, "| %d | %s | %.2f | %.2f | %.2f | %.0f | %.0f |\n", i, s->what, steps(a.missing_mm), steps(a.false_mm),
             a.end_steps, steps(b.missing_mm), steps(b.false_mm));
-    fprintf(tsv, "%d\t%s\t%.3f\t%.3f\t%.3f\t%.1f\t%.1f\n", i, s.what, steps(a.missing_mm), steps(a.false_mm),
+    fprintf(tsv, "%d\t%s\t%.3f\t%.3f\t%.3f\t%.1f\t%.1f\n", i, s->what, steps(a.missing_mm), steps(a.false_mm),
             a.end_steps, steps(b.missing_mm), steps(b.false_mm));
     double x = i % PER_SHEET % COLUMNS * 2 * CELL_W, y = (double)(i % PER_SHEET / COLUMNS) * (CELL_H + CAPTION);
-    show(NULL, &s, &ours, &box);
+    if (part)
+        box = *part;
+    else
+        show(NULL, s, &ours, &box);
     if (!(box.x1 > box.x0)) box = (box_t){0, 0, 1, 1};
-    thumbnail(cr, x, y, &s, &ours, &box);
-    thumbnail(cr, x + CELL_W, y, &s, &naive, &box);
-    snprintf(text, sizeof text, "%d %s", i, hard_list_name(i));
+    thumbnail(cr, x, y, s, &ours, &box);
+    thumbnail(cr, x + CELL_W, y, s, &naive, &box);
+    snprintf(text, sizeof text, "%d %s", i, name);
     caption(cr, x + 4, y + CELL_H + 11, text, 0);
     snprintf(text, sizeof text, "naive: %.0f steps missing, %.0f false", steps(b.missing_mm), steps(b.false_mm));
     caption(cr, x + CELL_W + 4, y + CELL_H + 23, text, .7);
     run_drawing_free(&ours);
     run_drawing_free(&naive);
+}
+
+/* 9 million facets: some lines are judged, and a fiftieth of the page is shown. */
+static void large(int i, bool rough, cairo_t *cr, FILE *md, FILE *tsv, account_t *all) {
+    enum { LARGE = 3000 };
+    scene_t s;
+    uint64_t rng = 3000;
+    const char *name = rough ? "3000x3000, random" : "3000x3000, smooth";
+    scene_init(&s, LARGE, LARGE);
+    scene_shape(&s, rough ? SHAPE_RANDOM : SHAPE_SMOOTH, &rng);
+    scene_aim(&s);
+    snprintf(s.what, sizeof s.what, "%s (%dx%d, eye 6,8,3; two lines judged, a part of the page shown)", name, LARGE,
+             LARGE);
+    double x, y;
+    page_view_point(&s.view, surface_ref_node(&s.ref, LARGE / 2, LARGE / 2), &x, &y);
+    const box_t part = {x - 2, y - 1.5, x + 2, y + 1.5};
+    enter(i, name, &s, LARGE, &part, cr, md, tsv, all);
     scene_free(&s);
 }
 
@@ -157,13 +201,20 @@ int main(int argc, char **argv) {
             "# Hard cases\n\nLeft ours, right a naive floating horizon of %d columns in single precision. Errors in "
             "steps of 0.0125 mm, the longest run each.\n\n",
             NAIVE_COLUMNS);
-    int count = hard_list_count(), sheets = (count + PER_SHEET - 1) / PER_SHEET;
+    int listed = hard_list_count(), count = listed + 2, sheets = (count + PER_SHEET - 1) / PER_SHEET;
     for (int k = 1; k <= sheets; k++) fprintf(md, "![sheet %d](hard-%d.png)\n", k, k);
     fprintf(md, "\n| | scene | missing | false | end off | naive: missing | false |\n|--:|---|--:|--:|--:|--:|--:|\n");
     cairo_t *cr = NULL;
     for (int i = 0; i < count; i++) {
         if (i % PER_SHEET == 0) cr = sheet_start();
-        one(i, cr, md, tsv, &all);
+        if (i < listed) {
+            scene_t s;
+            hard_list_build(i, &s);
+            enter(i, hard_list_name(i), &s, 0, NULL, cr, md, tsv, &all);
+            scene_free(&s);
+        } else {
+            large(i, i > listed, cr, md, tsv, &all);
+        }
         if (i % PER_SHEET == PER_SHEET - 1 || i == count - 1) sheet_end(cr, argv[1], i / PER_SHEET + 1);
     }
     fclose(md);
