@@ -77,6 +77,14 @@ static bool lend(job_t *job, size_t bytes) {
     return job->lent != NULL;
 }
 
+static void note_intersections(long long pairs) {
+    progress_wipe();
+    fprintf(stderr,
+            "ridgeline: %lld pair%s of faces cut through each other; area sorts by the larger part "
+            "(`set hidden3d convex` cuts them)\n",
+            pairs, pairs == 1 ? "" : "s");
+}
+
 /* Draws into memory, with more of it until it is enough. */
 static int draw(job_t *job, const plot_t *plot, picture_t *picture, watch_t *w) {
     picture_hooks_t hooks = {.ctx = w, .progress = on_progress, .begin = on_begin};
@@ -89,6 +97,8 @@ static int draw(job_t *job, const plot_t *plot, picture_t *picture, watch_t *w) 
         /* exactly this much, though an earlier page may have needed more: the order of strokes depends on it */
         int err = picture_draw(picture, plot, job->lent, bytes, &pen, &hooks);
         w->begun[PICTURE_DONE] = progress_now();
+        bool area = plot->kind == PLOT_SOLIDS && plot->settings->hidden == HIDDEN_AREA;
+        if (!err && area && picture->area.intersections) note_intersections(picture->area.intersections);
         if (err != ERR_FULL) return err;
         if (bytes >= JOB_LENT_MAX) return no_memory(job, bytes);
         bytes = bytes * 2 < JOB_LENT_MAX ? bytes * 2 : JOB_LENT_MAX;

@@ -32,6 +32,11 @@
 #define CONFIG_SOLIDS 1
 #endif
 
+/* The polygon area sort, hatching and shadows (0 or 1): 25 KB of flash; needs CONFIG_SOLIDS. */
+#ifndef CONFIG_AREA
+#define CONFIG_AREA CONFIG_SOLIDS
+#endif
+
 /* Columns of a data file that `using` may speak of: 16 bytes each. */
 #ifndef CONFIG_DATA_COLUMNS
 #define CONFIG_DATA_COLUMNS 32

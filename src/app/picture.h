@@ -12,6 +12,7 @@
 #define PICTURE_H
 
 #include "app/arena.h"
+#include "hidden/area.h"
 #include "hidden/hidden.h"
 #include "lang/plot.h"
 #include "path/path.h"
@@ -89,6 +90,7 @@ typedef struct picture {
         struct {
             solid_t solid;
             solid_map_t solid_map;
+            area_stats_t area; /* of `set hidden3d area` */
         };
         struct {
             flat_axes_t axes;

@@ -2,6 +2,7 @@
 #include "app/picture_stages.h"
 
 #include "error.h"
+#include "hidden/area.h"
 #include "hidden/convex.h"
 #include "hidden/wires.h"
 #include "scene/surface_mesh.h"
@@ -52,6 +53,7 @@ size_t picture_solids_bytes(const plot_t *plot) {
     size_t bytes = solid_bytes(m.list, plot->n) + SOLID_MAP_BYTES(sum.nv) + surfaces_bytes(plot);
     if (plot->settings->hidden == HIDDEN_NONE) return bytes;
     if (plot->settings->hidden == HIDDEN_HALO) return bytes + picture_halo_bytes(plot, 4);
+    if (plot->settings->hidden == HIDDEN_AREA) return bytes + area_bytes(sum.faces, sum.corners) * 4 / 3;
     return bytes + convex_bytes(sum.faces, sum.corners, sum.segments);
 }
 
@@ -107,7 +109,6 @@ static int build(picture_t *p) {
 
 int picture_solids(picture_t *p, const pen_sink_t *pen) {
     const settings_t *set = p->plot->settings;
-    if (set->hidden == HIDDEN_AREA) return ERR_UNSUPPORTED;
     int err = build(p);
     if (err) return err;
     size_t kernel_bytes = 0;
@@ -122,6 +123,8 @@ int picture_solids(picture_t *p, const pen_sink_t *pen) {
         err = wires_draw(&p->solid_map, &job, &p->stats.hidden);
     else if (set->hidden == HIDDEN_HALO)
         err = picture_halo_solids(p, &job);
+    else if (set->hidden == HIDDEN_AREA)
+        err = CONFIG_AREA ? area_draw(&p->solid_map, &job, &p->stats.hidden, &p->area) : ERR_UNSUPPORTED;
     else
         err = convex_draw(&p->solid_map, set->dashed ? &hidden : NULL, &job, &p->stats.hidden);
     p->stats.facets = p->solid.nf;

@@ -86,14 +86,14 @@ static void again(clip_t *c) {
         c->in[--to] = s;
     }
     c->in_from = to;
-    if (!c->unsorted) return;
     /* Nearly in order: only crossings that were rounded to before the sweep line are not. */
-    for (int32_t k = to + 1; k < c->in_to; k++) {
+    for (int32_t k = to + 1; c->unsorted && k < c->in_to; k++) {
         clip_seg_t s = c->in[k];
         int32_t j = k;
         for (; j > to && poly_before(s.l, c->in[j - 1].l); j--) c->in[j] = c->in[j - 1];
         c->in[j] = s;
     }
+    if (c->snap) clip_snap_columns(c);
 }
 
 int clip_run(clip_t *c, const clip_job_t *job, void *mem, size_t bytes) {
@@ -108,5 +108,6 @@ int clip_run(clip_t *c, const clip_job_t *job, void *mem, size_t bytes) {
         if (c->full) return ERR_FULL;
         if (!c->rounded) return 0;
         again(c);
+        if (c->full) return ERR_FULL;
     }
 }

@@ -85,6 +85,8 @@ typedef struct clip_out {
     int32_t contours, contours_max;
 } clip_out_t;
 
+/* Edges on the border of a result, before it is traced: so many vertices, and a third of it contours, are enough. */
+int32_t clip_count(const clip_t *c, int which);
 /* Appends result number which (0 or 1), once for each clip_run. Edges of the subject keep their tags, others get
  * POLY_CUT; vertices in the middle of a straight edge are left out. Returns 0 or ERR_FULL. */
 int clip_trace(clip_t *c, int which, clip_out_t *out);

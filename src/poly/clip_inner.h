@@ -40,6 +40,12 @@ static inline bool clip_is_in_below(const clip_t *c, int k, const clip_edge_t *e
 
 /* One sweep over in, which is sorted by left ends: makes edge. Sets rounded, unsorted, full. */
 void clip_sweep(clip_t *c);
+/* Does the edge pass through the unit square around v, which lies in its box? */
+bool clip_is_near(const clip_seg_t *s, poly_point_t v);
+/* From left to right, whichever way it came out. */
+clip_seg_t clip_upright(clip_seg_t s);
+/* Draws steep falling edges of `in` to vertices near them in the columns of their ends. Sets full. */
+void clip_snap_columns(clip_t *c);
 /* Sorts segments by their left ends. */
 void clip_sort(clip_seg_t *s, int32_t n, clip_seg_t *spare);
 

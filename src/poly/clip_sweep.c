@@ -128,11 +128,6 @@ static poly_point_t crossing(const clip_seg_t *a, const clip_seg_t *b) {
                           a->l.y + (int32_t)ints_muldiv_round(ay, num, den)};
 }
 
-/* From left to right, whichever way it came out. */
-static clip_seg_t upright(clip_seg_t s) {
-    return poly_before(s.l, s.r) ? s : (clip_seg_t){s.r, s.l, {(int16_t)-s.w[0], (int16_t)-s.w[1]}, s.tag};
-}
-
 static clip_seg_t mark(poly_point_t at) {
     return (clip_seg_t){.l = at, .r = at};
 }
@@ -144,8 +139,8 @@ static void split(clip_t *c, int32_t j, poly_point_t p, poly_point_t v) {
     clip_seg_t *s = &c->edge[c->status[j]].s, first = *s, second = *s;
     if (poly_same(p, s->l) || poly_same(p, s->r)) return;
     first.r = second.l = p;
-    first = upright(first);
-    second = upright(second);
+    first = clip_upright(first);
+    second = clip_upright(second);
     const clip_seg_t marks[2] = {mark(p), mark(s->l)};
     bool ahead = poly_before(v, p);
     *s = ahead ? first : second;
@@ -178,10 +173,9 @@ static void meet(clip_t *c, int32_t j, poly_point_t v) {
 
 /* ---- the status ---- */
 
-/* Does the edge pass through the unit square around v? */
+/* Is v near an edge that has begun? */
 static bool is_near(const clip_seg_t *s, poly_point_t v) {
-    int64_t width = (int64_t)s->r.x - s->l.x, height = (int64_t)s->r.y - s->l.y, off = side(s, v);
-    return 2 * (off < 0 ? -off : off) <= width + (height < 0 ? -height : height) && poly_before(s->l, v);
+    return poly_before(s->l, v) && clip_is_near(s, v);
 }
 
 static bool ends_or_holds(const clip_seg_t *s, poly_point_t v) {
@@ -215,6 +209,15 @@ static void split_passing(clip_t *c, poly_point_t v, int32_t lo, int32_t hi) {
         if (!poly_before(v, s->r)) continue;
         s->r = rest.l = v;
         add_edge(c, &rest);
+    }
+}
+
+/* Draws all other edges near v to it: nearly vertical ones may be anywhere in the status. */
+static void snap_all(clip_t *c, poly_point_t v, int32_t lo, int32_t hi) {
+    for (int32_t j = 0; j < c->active && !c->full; j++) {
+        if ((j >= lo && j < hi) || !is_near(&c->edge[c->status[j]].s, v)) continue;
+        c->rounded = true;
+        split(c, j, v, v);
     }
 }
 
@@ -299,13 +302,14 @@ static void settle(clip_t *c, int32_t lo, int32_t hi, int32_t first) {
 static void visit(clip_t *c, poly_point_t v) {
     int32_t first = c->edges, lo, hi;
     bool rounded = gather(c, v);
-    find(c, v, rounded || c->snap, &lo, &hi);
+    find(c, v, rounded, &lo, &hi);
     split_passing(c, v, lo, hi);
     if (c->full) return;
     sort_starts(c, first);
     settle(c, lo, hi, first);
     int32_t starts = c->edges - first;
     replace(c, lo, hi, first);
+    if (c->snap) snap_all(c, v, lo, lo + starts);
     /* An end that nothing starts from must be met again by the next sweep. */
     const clip_seg_t end = mark(v);
     if (!starts) add_edge(c, &end);

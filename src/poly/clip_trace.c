@@ -51,6 +51,12 @@ static int trace_contour(clip_t *c, int which, int32_t start, int32_t number, cl
     return 0;
 }
 
+int32_t clip_count(const clip_t *c, int which) {
+    int32_t n = 0;
+    for (int32_t k = 0; k < c->edges; k++) n += c->edge[k].next[which] >= 0;
+    return n;
+}
+
 int clip_trace(clip_t *c, int which, clip_out_t *out) {
     int32_t base = out->contours;
     for (int32_t k = 0; k < c->edges; k++) {

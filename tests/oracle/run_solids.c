@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "error.h"
+#include "hidden/area.h"
 #include "hidden/convex.h"
 #include "tests/oracle/run_cases.h"
 #include "tests/oracle/solid_scenes.h"
@@ -85,12 +86,15 @@ static void page_of(const camera_t *cam, page_view_t *v, exact_eye_t *eye) {
     v->y1 = (double)cam->window.y1_lat / LAT_PER_MM;
 }
 
-static int draw(const solid_scene_t *s, const mesh_t *m, solid_ref_t *ref, page_view_t *view, ink_t *ink) {
+/* area: NULL for the convex kernel. */
+static int draw(const solid_scene_t *s, const mesh_t *m, solid_ref_t *ref, page_view_t *view, ink_t *ink,
+                area_stats_t *area) {
     solid_t solid;
     solid_map_t map;
     camera_t cam;
     hidden_stats_t stats;
     size_t bytes = solid_bytes(&m, 1), more = convex_bytes(m->faces, m->corners, m->segments) + 65536;
+    if (area) more = area_bytes(m->faces, m->corners) + 65536;
     void *mem = malloc(bytes), *place = malloc(SOLID_MAP_BYTES(m->nv)), *kernel = malloc(more);
     int err = solid_build(&solid, &m, 1, mem, bytes);
     view_box_t box = {.solid = true};
@@ -106,7 +110,7 @@ static int draw(const solid_scene_t *s, const mesh_t *m, solid_ref_t *ref, page_
         ink->solid = &solid;
         const ink_sink_t sink = {ink, take};
         const hidden_job_t job = {.mem = kernel, .bytes = more, .sink = &sink};
-        err = convex_draw(&map, NULL, &job, &stats);
+        err = area ? area_draw(&map, &job, &stats, area) : convex_draw(&map, NULL, &job, &stats);
     }
     free(mem);
     free(place);
@@ -114,14 +118,14 @@ static int draw(const solid_scene_t *s, const mesh_t *m, solid_ref_t *ref, page_
     return err;
 }
 
-bool solid_scene_judge(const solid_scene_t *s, judge_report_t *out) {
+static bool judge(const solid_scene_t *s, judge_report_t *out, area_stats_t *area) {
     solid_ref_t ref = s->ref; /* shares the memory; the eye is its own */
     page_view_t view;
     mesh_t mesh;
     ink_t ink = {0};
     *out = (judge_report_t){0};
     solid_scene_mesh(&ref, &mesh);
-    int err = draw(s, &mesh, &ref, &view, &ink);
+    int err = draw(s, &mesh, &ref, &view, &ink, area);
     solid_scene_mesh_free(&mesh);
     bool good = err == ERR_VALUE || err == ERR_EMPTY; /* all behind the eye; nothing with a length */
     if (!err && solid_ref_eye_touches(&ref)) {
@@ -132,4 +136,12 @@ bool solid_scene_judge(const solid_scene_t *s, judge_report_t *out) {
     }
     free(ink.piece);
     return good;
+}
+
+bool solid_scene_judge(const solid_scene_t *s, judge_report_t *out) {
+    return judge(s, out, NULL);
+}
+
+bool solid_scene_judge_area(const solid_scene_t *s, judge_report_t *out, area_stats_t *area) {
+    return judge(s, out, area);
 }

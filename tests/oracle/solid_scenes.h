@@ -4,6 +4,7 @@
 
 #include <stdint.h>
 
+#include "hidden/area.h"
 #include "lang/settings.h"
 #include "scene/mesh.h"
 #include "tests/oracle/solid_ref.h"
@@ -24,5 +25,7 @@ void solid_scene_mesh(const solid_ref_t *r, mesh_t *m);
 void solid_scene_mesh_free(mesh_t *m);
 /* Draws it with the convex kernel; true if it is within the limits of run_cases.h. */
 bool solid_scene_judge(const solid_scene_t *s, judge_report_t *out);
+/* The same with the area sort. A scene in which area->intersections is not 0 afterwards is none for it. */
+bool solid_scene_judge_area(const solid_scene_t *s, judge_report_t *out, area_stats_t *area);
 
 #endif

@@ -79,6 +79,17 @@ static double length(const poly_t *p) {
     return sum;
 }
 
+/* |dx| + |dy| of all edges: splitting never makes it longer, cancelling makes it shorter. */
+static int64_t way(const poly_t *p) {
+    int64_t sum = 0;
+    for (int c = 0, first = 0; c < p->contours; first = p->end[c++])
+        for (int i = first; i < p->end[c]; i++) {
+            poly_point_t a = p->v[i].at, b = p->v[i + 1 < p->end[c] ? i + 1 : first].at;
+            sum += llabs((int64_t)b.x - a.x) + llabs((int64_t)b.y - a.y);
+        }
+    return sum;
+}
+
 static int run(const poly_t *s, const poly_t *c, enum clip_fill fill, enum clip_result a, enum clip_result b,
                shape_t *to_a, shape_t *to_b, clip_t *work) {
     const clip_job_t job = {*s, *c, fill, {a, b}};
@@ -169,6 +180,7 @@ static const char *judge(enum clip_fill fill, bool exact) {
     for (int k = 0; k < 6; k++) {
         if (!is_planar(&result[k].poly)) return "edges of a result cross";
         if (!are_holes_right(&result[k])) return "a hole is in the wrong contour";
+        if (way(&result[k].poly) > way(&subject.poly) + way(&clip.poly)) return "borders have become longer";
         area[k] = poly_area2(&result[k].poly);
     }
     account.pairs++;

@@ -1,0 +1,62 @@
+/* area.h - the polygon area sort: visible polygons of a scene of solids, and from them its visible edges.
+ *
+ * K. Weiler and P. Atherton, "Hidden surface removal using polygon area sorting", SIGGRAPH 1977. The front-most polygon
+ * of a list clips all others into what is inside and what is outside of it (poly/clip.h). Of what is inside, all that
+ * is behind it goes; what is in front of it is an error of the rough sort and becomes the next clip polygon, for the
+ * inside list alone, until the list has no polygon that has not clipped it: then it is visible as it is, and the work
+ * goes on with the outside lists, last first. Clip polygons are the original ones, not remainders, and those that clip
+ * the present area are on a stack; one that is found there again overlaps another one cyclically, and what is behind it
+ * has gone already (their check, with the recursion turned into that stack).
+ *
+ * Polygons are the scene's faces on the page: integer vertices in lat, and a depth that is linear over the page. Of two
+ * polygons the one in front is decided where their depths differ most, since faces that share an edge differ by nothing
+ * there. Faces that cut through each other are not sorted right; they are counted, and the larger part decides.
+ * Faces need not be convex; closed objects show their outer sides only.
+ *
+ * Edges are drawn where a visible polygon ends in them, each once. A crossing is rounded to the nearest lat (1/400 of a
+ * step) each time an area is cut, so after k cuts in one place an end is off by k/2 lat at most.
+ *
+ * The screen subdivision of their section "Screen subdivision" bounds memory: a window with more polygons than the
+ * memory takes is halved, and the halves are done one after the other; pieces of edges meet again afterwards. Memory:
+ * area_bytes(). Cost: printed by make bench. */
+#ifndef AREA_H
+#define AREA_H
+
+#include "hidden/hidden.h"
+#include "poly/clip.h"
+#include "view/solid_map.h"
+
+/* What a scene's area sort found, beside hidden_stats_t. */
+typedef struct area_stats {
+    int64_t polygons;      /* that take part: not those seen edge-on or from behind */
+    int64_t clips;         /* pairs clipped, those with disjoint boxes not counted */
+    int64_t removed;       /* pieces behind a clip polygon */
+    int64_t errors;        /* sort errors: polygons in front of the one that was taken to be the front-most */
+    int64_t intersections; /* pairs that cut through each other */
+    int64_t visible;       /* visible polygons, pieces of one face counted each */
+    bool behind;           /* something is behind the eye, which makes depths and places coarse */
+    int32_t windows;       /* of the screen subdivision */
+    int32_t depth;         /* of the stack, at most */
+} area_stats_t;
+
+/* Takes one visible polygon: `face` of the scene, its contours in lat; tags are edges of the scene (those that stand
+ * for all of a place, solid_edge_t.first) or POLY_CUT. p is valid during the call. When memory ran out and a
+ * window had to be halved, parts of the same polygon may come once more. */
+typedef struct area_sink {
+    void *ctx;
+    int (*polygon)(void *ctx, int32_t face, const poly_t *p);
+    /* A visible part of a line that no polygon ends in: free segments, edges of faces that are seen edge-on. From and
+     * to are fractions of what of it is in front of the eye. */
+    int (*wire)(void *ctx, int32_t edge, int32_t from_q30, int32_t to_q30);
+} area_sink_t;
+
+/* Memory for a scene of so many faces with so many corners: in one window unless it is cut up very much. */
+size_t area_bytes(int32_t faces, int32_t corners);
+/* Gives all visible polygons to sink. mem is aligned to 8. Returns 0; ERR_FULL; or the sink's error. stats are filled
+ * in also after an error. tick may be NULL. */
+int area_sort(const solid_map_t *m, void *mem, size_t bytes, const area_sink_t *sink,
+              void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx, area_stats_t *stats);
+/* Emits the visible parts of all edges as INK_SEGMENT. Returns as area_sort. */
+int area_draw(const solid_map_t *m, const hidden_job_t *job, hidden_stats_t *stats, area_stats_t *area);
+
+#endif

@@ -1,0 +1,94 @@
+/* area_draw.c - visible edges from visible polygons: where one ends in an edge of the scene, the edge is visible. */
+#include "hidden/area.h"
+#include "hidden/area_face.h"
+#include "hidden/intervals.h"
+
+#include "num/ints.h"
+
+/* Of the memory, to the parts of edges. */
+#define INTERVALS_SHARE 4
+/* Gaps up to this in an edge are closed and parts no longer left out (2^-5 lat on the finest lattice): where areas were
+ * cut, edges have moved by about as much. */
+#define LEAST_LAT 64
+
+typedef struct edge_ink {
+    area_lattice_t lattice;
+    intervals_t parts;
+    const ink_sink_t *sink;
+    hidden_stats_t *stats;
+} edge_ink_t;
+
+/* The edge's way on the page along its longer axis, as a place of the first end and a signed length. */
+static int32_t along(const poly_point_t end[2], poly_point_t p, int64_t *length) {
+    int64_t dx = end[1].x - end[0].x, dy = end[1].y - end[0].y;
+    bool wide = (dx < 0 ? -dx : dx) >= (dy < 0 ? -dy : dy);
+    *length = wide ? dx : dy;
+    return wide ? p.x - end[0].x : p.y - end[0].y;
+}
+
+/* The parameter on the page of a point on (or next to) an edge. Near an end it is that end, so that lines which meet in
+ * a vertex do. */
+static int32_t parameter(const poly_point_t end[2], poly_point_t p) {
+    int64_t length, at = along(end, p, &length);
+    if (length < 0) at = -at, length = -length;
+    if (length == 0 || at <= 2) return 0;
+    if (at >= length - 2) return (int32_t)INK_ONE;
+    return (int32_t)(at * INK_ONE / length);
+}
+
+static int take_polygon(void *ctx, int32_t face, const poly_t *p) {
+    edge_ink_t *ink = ctx;
+    (void)face;
+    for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++])
+        for (int32_t k = first; k < p->end[c]; k++) {
+            poly_point_t end[2];
+            int64_t z[2];
+            int64_t t[2];
+            if (p->v[k].tag < 0 || !area_edge(&ink->lattice, p->v[k].tag, end, z, t)) continue;
+            int32_t a = parameter(end, p->v[k].at), b = parameter(end, p->v[k + 1 < p->end[c] ? k + 1 : first].at);
+            int err = intervals_add(&ink->parts, p->v[k].tag, a < b ? a : b, a < b ? b : a);
+            if (err) return err;
+        }
+    return 0;
+}
+
+static int take_wire(void *ctx, int32_t edge, int32_t from_q30, int32_t to_q30) {
+    edge_ink_t *ink = ctx;
+    return intervals_add(&ink->parts, edge, from_q30, to_q30);
+}
+
+static int32_t least(void *ctx, int32_t line) {
+    edge_ink_t *ink = ctx;
+    poly_point_t end[2];
+    int64_t z[2];
+    int64_t t[2], length, some = (int64_t)LEAST_LAT << ink->lattice.bits >> AREA_LATTICE_BITS;
+    if (!area_edge(&ink->lattice, line, end, z, t)) return 0;
+    along(end, (poly_point_t){0, 0}, &length);
+    if (length < 0) length = -length;
+    return length <= some ? (int32_t)INK_ONE - 1 : (int32_t)(some * INK_ONE / length);
+}
+
+static int emit(void *ctx, const interval_t *part) {
+    edge_ink_t *ink = ctx;
+    const ink_piece_t piece = {.family = INK_SEGMENT,
+                               .line = part->line,
+                               .from_q30 = area_space(&ink->lattice, part->line, part->from_q30),
+                               .to_q30 = area_space(&ink->lattice, part->line, part->to_q30)};
+    if (piece.from_q30 >= piece.to_q30) return 0;
+    ink->stats->pieces++;
+    return ink->sink->piece(ink->sink->ctx, &piece);
+}
+
+int area_draw(const solid_map_t *m, const hidden_job_t *job, hidden_stats_t *stats, area_stats_t *area) {
+    *stats = (hidden_stats_t){.edges = m->solid->ne};
+    edge_ink_t ink = {.lattice = area_lattice(m), .sink = job->sink, .stats = stats};
+    size_t bytes = job->bytes / INTERVALS_SHARE & ~(size_t)7, rest = (job->bytes - bytes) & ~(size_t)7;
+    intervals_init(&ink.parts, (uint8_t *)job->mem + rest, bytes);
+    const area_sink_t sink = {&ink, take_polygon, take_wire};
+    int err = area_sort(m, job->mem, rest, &sink, job->tick, job->tick_ctx, area);
+    stats->facets = area->polygons;
+    stats->bytes = job->bytes;
+    if (err) return err;
+    const interval_use_t use = {&ink, least, emit};
+    return intervals_finish(&ink.parts, &use);
+}

@@ -1,0 +1,123 @@
+/* area_wires.c - see area_wires.h. A line is cut where its picture crosses a polygon's border; between two crossings it
+ * is inside or not, and where it is, depth decides. */
+#include "hidden/area_wires.h"
+#include "hidden/intervals.h"
+
+#include "error.h"
+#include "num/ints.h"
+
+typedef struct wire {
+    poly_point_t end[2];
+    int64_t z[2];
+    area_box_t box;
+} wire_t;
+
+static poly_point_t point_at(const wire_t *w, int32_t t_q30) {
+    int64_t dx = (int64_t)w->end[1].x - w->end[0].x, dy = (int64_t)w->end[1].y - w->end[0].y;
+    return (poly_point_t){w->end[0].x + (int32_t)(dx * t_q30 >> 30), w->end[0].y + (int32_t)(dy * t_q30 >> 30)};
+}
+
+/* How much farther away than the face the line is there. */
+static int64_t behind(const wire_t *w, const area_face_t *f, int32_t t_q30) {
+    int64_t z = w->z[0] + ints_muldiv_round(w->z[1] - w->z[0], t_q30, INK_ONE);
+    return z - area_depth(&f->plane, point_at(w, t_q30));
+}
+
+/* Where the line crosses the border, in order; those before and after it as its ends. Returns how many, or an error. */
+static int32_t crossings(const wire_t *w, const area_face_t *f, const poly_vertex_t *v, int32_t *t, int32_t most) {
+    int32_t n = 0;
+    poly_point_t a = v[f->n - 1].at;
+    int64_t side_a = poly_orient(w->end[0], w->end[1], a);
+    for (int32_t k = 0; k < f->n; k++) {
+        poly_point_t b = v[k].at;
+        int64_t side_b = poly_orient(w->end[0], w->end[1], b);
+        if ((side_a > 0) != (side_b > 0)) {
+            int64_t p = poly_orient(a, b, w->end[0]) / 2, q = poly_orient(a, b, w->end[1]) / 2;
+            int64_t at = p == q ? 0 : ints_muldiv_round(INK_ONE, p, p - q);
+            if (n == most) return ERR_FULL;
+            at = at < 0 ? 0 : at > INK_ONE ? INK_ONE : at;
+            int32_t j = n++;
+            for (; j > 0 && t[j - 1] > at; j--) t[j] = t[j - 1];
+            t[j] = (int32_t)at;
+        }
+        a = b;
+        side_a = side_b;
+    }
+    return n;
+}
+
+/* Adds what the face hides between two crossings. */
+static int hide(const wire_t *w, const area_face_t *f, int32_t from, int32_t to, intervals_t *hidden) {
+    int64_t slack = f->plane.slack + 4, at_from = behind(w, f, from), at_to = behind(w, f, to);
+    if (from >= to || (at_from <= slack && at_to <= slack)) return 0;
+    if ((at_from > slack && at_to < -slack) || (at_from < -slack && at_to > slack)) { /* it goes through */
+        int32_t middle = from + (int32_t)ints_muldiv_round(to - from, at_from, at_from - at_to);
+        *(at_from > 0 ? &to : &from) = middle;
+    }
+    return intervals_add(hidden, 0, from, to);
+}
+
+typedef struct wire_use {
+    const area_sink_t *sink;
+    int32_t edge, shown; /* up to there the line is dealt with */
+} wire_use_t;
+
+static int32_t no_gap(void *ctx, int32_t line) {
+    (void)ctx, (void)line;
+    return 0;
+}
+
+static int show_up_to(void *ctx, const interval_t *hidden) {
+    wire_use_t *u = ctx;
+    int32_t from = u->shown;
+    u->shown = hidden->to_q30;
+    return from < hidden->from_q30 ? u->sink->wire(u->sink->ctx, u->edge, from, hidden->from_q30) : 0;
+}
+
+static int draw(const area_faces_t *faces, int32_t edge, intervals_t *hidden, int32_t *t, int32_t most,
+                const area_sink_t *sink) {
+    wire_t w;
+    int64_t space[2];
+    if (!area_edge(&faces->lattice, edge, w.end, w.z, space)) return 0;
+    const poly_vertex_t ends[2] = {{w.end[0], 0}, {w.end[1], 0}};
+    w.box = area_box_of(ends, 2);
+    w.box.x1++, w.box.y1++; /* a box without a width meets others all the same */
+    hidden->n = 0;
+    for (int32_t k = 0; k < faces->n; k++) {
+        const area_face_t *f = &faces->face[k];
+        if (!area_boxes_meet(&f->box, &w.box)) continue;
+        int32_t n = crossings(&w, f, faces->vertex + f->first, t, most);
+        if (n < 0) return n;
+        for (int32_t i = 0; i + 1 < n; i += 2) {
+            int err = hide(&w, f, t[i], t[i + 1], hidden);
+            if (err) return err;
+        }
+    }
+    wire_use_t use = {sink, edge, 0};
+    const interval_use_t each = {&use, no_gap, show_up_to};
+    int err = intervals_finish(hidden, &each);
+    const interval_t end = {0, (int32_t)INK_ONE, (int32_t)INK_ONE};
+    return err ? err : show_up_to(&use, &end);
+}
+
+/* Is there a polygon, or one on the far side of a body, that answers for this line? */
+static bool is_answered_for(const solid_t *s, int32_t edge, const uint8_t *state) {
+    for (int32_t e = edge; e >= 0; e = s->edge[e].twin)
+        for (int side = 0; side < 2; side++)
+            if (s->edge[e].face[side] >= 0 && state[s->edge[e].face[side]] != AREA_LEFT_OUT) return true;
+    return false;
+}
+
+int area_wires(const area_faces_t *faces, const uint8_t *state, void *mem, size_t bytes, const area_sink_t *sink) {
+    const solid_t *s = faces->lattice.m->solid;
+    intervals_t hidden;
+    size_t half = bytes / 2 & ~(size_t)7;
+    intervals_init(&hidden, mem, half);
+    int32_t *t = (int32_t *)(void *)((uint8_t *)mem + half), most = (int32_t)(half / sizeof *t);
+    for (int32_t e = 0; e < s->ne; e++) {
+        if (s->edge[e].first != e || is_answered_for(s, e, state)) continue;
+        int err = draw(faces, e, &hidden, t, most, sink);
+        if (err) return err;
+    }
+    return 0;
+}

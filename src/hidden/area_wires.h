@@ -1,0 +1,15 @@
+/* area_wires.h - lines that no polygon of the area sort ends in: free segments, and edges of faces seen edge-on. */
+#ifndef AREA_WIRES_H
+#define AREA_WIRES_H
+
+#include "hidden/area.h"
+#include "hidden/area_face.h"
+
+/* What became of a face of the scene. */
+enum area_state { AREA_LEFT_OUT, AREA_TAKES_PART, AREA_TURNED_AWAY };
+
+/* Gives the visible parts of all such lines to sink->wire, from faces and each scene face's state. mem: scratch.
+ * Returns 0, ERR_FULL or the sink's error. Cost: lines times polygons. */
+int area_wires(const area_faces_t *faces, const uint8_t *state, void *mem, size_t bytes, const area_sink_t *sink);
+
+#endif

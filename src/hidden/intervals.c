@@ -1,0 +1,70 @@
+/* intervals.c - see intervals.h. */
+#include "hidden/intervals.h"
+
+#include "error.h"
+#include <stdbool.h>
+
+void intervals_init(intervals_t *s, void *mem, size_t bytes) {
+    size_t n = bytes / sizeof(interval_t);
+    *s = (intervals_t){mem, 0, n > INT32_MAX ? INT32_MAX : (int32_t)n};
+}
+
+static bool is_before(const interval_t *a, const interval_t *b) {
+    return a->line != b->line ? a->line < b->line : a->from_q30 < b->from_q30;
+}
+
+static void sift(interval_t *p, int32_t k, int32_t n) {
+    interval_t moved = p[k];
+    for (int32_t child = 2 * k + 1; child < n; child = 2 * k + 1) {
+        if (child + 1 < n && is_before(&p[child], &p[child + 1])) child++;
+        if (!is_before(&moved, &p[child])) break;
+        p[k] = p[child];
+        k = child;
+    }
+    p[k] = moved;
+}
+
+/* Heap sort, then neighbours that overlap or touch become one. */
+static void unite(intervals_t *s) {
+    interval_t *p = s->part;
+    for (int32_t k = s->n / 2; k-- > 0;) sift(p, k, s->n);
+    for (int32_t k = s->n; k-- > 1;) {
+        interval_t last = p[k];
+        p[k] = p[0];
+        p[0] = last;
+        sift(p, 0, k);
+    }
+    int32_t n = 0;
+    for (int32_t k = 0; k < s->n; k++) {
+        if (n > 0 && p[n - 1].line == p[k].line && p[k].from_q30 <= p[n - 1].to_q30) {
+            if (p[k].to_q30 > p[n - 1].to_q30) p[n - 1].to_q30 = p[k].to_q30;
+        } else {
+            p[n++] = p[k];
+        }
+    }
+    s->n = n;
+}
+
+int intervals_add(intervals_t *s, int32_t line, int32_t from_q30, int32_t to_q30) {
+    if (from_q30 >= to_q30) return 0;
+    if (s->n == s->n_max) {
+        unite(s);
+        if (s->n > s->n_max / 8 * 7) return ERR_FULL; /* sorting again and again would take forever */
+    }
+    s->part[s->n++] = (interval_t){line, from_q30, to_q30};
+    return 0;
+}
+
+int intervals_finish(intervals_t *s, const interval_use_t *use) {
+    unite(s);
+    for (int32_t k = 0; k < s->n;) {
+        interval_t whole = s->part[k++];
+        int32_t least = use->least(use->ctx, whole.line);
+        while (k < s->n && s->part[k].line == whole.line && s->part[k].from_q30 - whole.to_q30 <= least)
+            whole.to_q30 = s->part[k++].to_q30;
+        if (whole.to_q30 - whole.from_q30 <= least) continue;
+        int err = use->part(use->ctx, &whole);
+        if (err) return err;
+    }
+    return 0;
+}
