@@ -78,11 +78,13 @@ typedef struct halo {
     int64_t crossings, room; /* found; that there is memory for */
     int32_t contact;         /* units, 1 .. HALO_CONTACT_MAX; 1 after halo_init, for ends that were rounded once */
     int32_t reach;
-    uint8_t *joined; /* with a reach: which ends of an edge other edges share */
-    bool joining;    /* CUT is only looking for those */
-    uint64_t *box;   /* while CUT works: halo_grid.h; DRAW sorts gaps in it */
-    int64_t tests;   /* pairs of edges whose crossing was computed */
-    size_t used;     /* bytes */
+    uint8_t *joined;                                   /* with a reach: which ends of an edge other edges share */
+    bool joining;                                      /* CUT is only looking for those */
+    uint64_t *box;                                     /* while CUT works: halo_grid.h; DRAW sorts gaps in it */
+    void (*tick)(void *ctx, int32_t done, int32_t of); /* now and then while CUT and DRAW work; NULL after halo_init */
+    void *tick_ctx;
+    int64_t tests; /* pairs of edges whose crossing was computed */
+    size_t used;   /* bytes */
 } halo_t;
 
 /* Prepares h in mem (any alignment). */

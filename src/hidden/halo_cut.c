@@ -77,6 +77,7 @@ static void look_all(const halo_grid_t *g, halo_t *h) {
         const int shift = g->shift + level;
         const uint32_t end = g->start[g->base[level + 1]];
         for (uint32_t i = g->start[g->base[level]]; i < end; i++) {
+            if (h->tick != NULL && i % HALO_TICK == 0) h->tick(h->tick_ctx, (int32_t)i / 2, h->edges);
             const uint64_t box = h->box[i], probe = halo_probe(box);
             const int32_t c = halo_left(box) >> shift, r = halo_bottom(box) >> shift;
             const int32_t over = (halo_right(box) >> shift) - c;

@@ -117,6 +117,7 @@ static uint32_t gaps_of(const halo_t *h, const halo_crossing_t *x, uint32_t coun
 int halo_draw(halo_t *h, int32_t width, const halo_sink_t *sink) {
     gap_t *gap = (gap_t *)(void *)h->box;
     for (int32_t e = 0; e < h->edges; e++) {
+        if (h->tick != NULL && e % HALO_TICK == 0) h->tick(h->tick_ctx, h->edges / 2 + e / 2, h->edges);
         const uint32_t from = h->first[e];
         const int32_t id = h->edge[e].id;
         uint32_t seen = 0; /* up to here all is decided */

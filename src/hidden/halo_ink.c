@@ -130,8 +130,11 @@ int halo_ink_draw(const halo_source_t *source, int32_t width, bool ends, const h
     if (is_perspective(&d)) find_nearest(&d);
     halo_init(&h, job->mem, job->bytes);
     h.contact = CONTACT;
+    h.tick = job->tick;
+    h.tick_ctx = job->tick_ctx;
     int err = 0;
     for (int32_t e = 0; e < source->edges; e++) {
+        if (e % 256 == 0) tell(job, 0, 1);
         if (!see(&d, e, v)) continue;
         stats->edges++;
         if (err == 0) err = halo_add(&h, e, point_of(&d, v, 0), point_of(&d, v, 1));
@@ -141,9 +144,8 @@ int halo_ink_draw(const halo_source_t *source, int32_t width, bool ends, const h
     stats->crossings = err == 0 || h.crossings > 0 ? h.crossings : 0;
     stats->bytes = h.used;
     if (err != 0) return err;
-    tell(job, 1, 2);
     d.edge = -1;
     err = halo_draw(&h, width, &(halo_sink_t){&d, take});
-    tell(job, 2, 2);
+    tell(job, 1, 1);
     return err;
 }

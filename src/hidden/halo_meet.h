@@ -6,6 +6,7 @@
 #include "num/wide.h"
 #include <stdbool.h>
 
+#define HALO_TICK 1024  /* edges after which the caller is told; a power of two */
 #define HALO_JOINED_P 1 /* in halo_t.joined */
 #define HALO_JOINED_Q 2
 #define HALO_OTHER ((UINT32_C(1) << 24) - 1) /* the bits of halo_crossing_t.other that are an index */

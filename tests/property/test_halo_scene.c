@@ -128,6 +128,7 @@ static void make_solids(now_t *s, uint64_t seed) {
     s->set = s->solids.set;
     solid_scene_mesh(&s->solids.ref, &s->mesh);
     s->item[0].mesh = s->mesh;
+    s->item[0].solid = true;
     s->plot = (plot_t){PLOT_SOLIDS, 1, s->item, &s->set};
     const solid_ref_t *r = &s->solids.ref;
     for (int e = 0; e < r->ne; e++) add_line(s, r->vertex[r->edge[e][0]], r->vertex[r->edge[e][1]]);
