@@ -104,7 +104,7 @@ static bool is_dropped(const drawing_t *d, int32_t edge) {
 
 /* Is it between faces of a smooth surface, and no outline? */
 static bool is_left_out(const drawing_t *d, const solid_edge_t *e) {
-    return e->twin < 0 && !shadows_is_outline(&d->shadows, e) && solid_is_smooth(d->map->solid, e);
+    return e->twin < 0 && solid_is_smooth(d->map->solid, e) && !shadows_is_outline(&d->shadows, e);
 }
 
 static int draw_edge(drawing_t *d, int32_t edge) {

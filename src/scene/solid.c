@@ -119,13 +119,43 @@ static int32_t place_vertex(solid_build_t *b, const solid_vertex_t *v) {
     }
 }
 
+/* A packed number times 2^bits, to nearest, for |it| < 2^62. */
+static int64_t fixed_of(packed_t p, int32_t bits) {
+    const int32_t exponent = (int32_t)(p >> 52) & 2047, shift = exponent - 1075 + bits;
+    if (exponent == 0 || shift < -54) return 0;
+    int64_t m = (int64_t)((p & (((uint64_t)1 << 52) - 1)) | (uint64_t)1 << 52);
+    m = shift >= 0 ? m * ((int64_t)1 << shift) : (m + ((int64_t)1 << (-shift - 1))) >> -shift;
+    return p >> 63 ? -m : m;
+}
+
+/* Vertices go to the lattice through integers with SPARE_BITS more, where they fit. */
+#define SPARE_BITS 20
+#define SPARE_LEAST 4
+
+static void choose_bits(solid_build_t *b) {
+    const solid_t *s = b->s;
+    int32_t most = INT32_MIN; /* all coordinates below 2^most */
+    for (int axis = 0; axis < 3; axis++) {
+        if (s->lo[axis].m != 0 && s->lo[axis].e + 63 > most) most = s->lo[axis].e + 63;
+        if (s->hi[axis].m != 0 && s->hi[axis].e + 63 > most) most = s->hi[axis].e + 63;
+    }
+    b->bits = s->shift + SPARE_BITS;
+    if (most > INT32_MIN && b->bits > 61 - most) b->bits = 61 - most;
+    for (int axis = 0; axis < 3; axis++) b->origin[axis] = num_to_fixed(s->origin[axis], b->bits, NULL);
+}
+
+static int32_t coordinate(const solid_build_t *b, packed_t p, int axis) {
+    const int32_t spare = b->bits - b->s->shift;
+    if (spare < SPARE_LEAST)
+        return (int32_t)num_to_fixed(num_sub(packed_num(p), b->s->origin[axis]), b->s->shift, NULL);
+    int64_t d = fixed_of(p, b->bits) - b->origin[axis], half = (int64_t)1 << (spare - 1);
+    return (int32_t)(d < 0 ? -((half - d) >> spare) : (d + half) >> spare);
+}
+
 static int32_t vertex_of(solid_build_t *b, const mesh_t *m, int32_t v) {
     if (b->map[v] < 0) {
         solid_vertex_t at;
-        for (int axis = 0; axis < 3; axis++) {
-            num_t a = num_sub(packed_num(m->vertex[v][axis]), b->s->origin[axis]);
-            at.at[axis] = (int32_t)num_to_fixed(a, b->s->shift, NULL);
-        }
+        for (int axis = 0; axis < 3; axis++) at.at[axis] = coordinate(b, m->vertex[v][axis], axis);
         b->map[v] = place_vertex(b, &at);
     }
     return b->map[v];
@@ -198,6 +228,7 @@ int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, siz
     s->object = b.object;
     s->edge = b.edge;
     memset(b.slot, 0xff, b.slots * sizeof *b.slot);
+    choose_bits(&b);
     fill(&b, mesh, n);
     solid_join(&b);
     s->bytes = (size_t)((uint8_t *)(b.edge + s->ne) - (uint8_t *)mem);

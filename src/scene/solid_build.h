@@ -11,6 +11,8 @@ typedef struct solid_build {
     solid_face_t *face;
     int32_t *corner;
     solid_object_t *object;
+    int32_t bits; /* of the fixed point numbers that vertices pass through */
+    int64_t origin[3];
     /* Until the end of the work only: */
     int32_t *map;         /* vertex of the mesh at hand -> vertex, or -1 */
     int32_t *slot;        /* hash table of vertices, later of edges; -1: free */

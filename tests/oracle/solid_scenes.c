@@ -174,8 +174,8 @@ static void set_view(solid_scene_t *s, bool lattice) {
     double r[3] = {uniform(-4, 4), uniform(-4, 4), uniform(-3, 3)};
     int kind = pick(6);
     set->view.from = kind < 3;
-    if (kind == 0)
-        for (int k = 0; k < 3; k++) r[k] *= 3;
+    const double far = kind == 0 ? (double[]){3, 100, 1e4}[pick(3)] : 1;
+    for (int k = 0; k < 3; k++) r[k] *= far;
     if (kind == 2 && lattice)
         for (int k = 0; k < 3; k++) r[k] = floor(r[k] * 2); /* in planes of faces */
     if (kind < 3) {

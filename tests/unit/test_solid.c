@@ -11,9 +11,11 @@
 
 #include <cmocka.h>
 
+#include "app/picture.h"
 #include "error.h"
 #include "hidden/convex.h"
 #include "hidden/wires.h"
+#include "motion/motion.h"
 #include "scene/obj_reader.h"
 
 #define POOL 200000
@@ -335,6 +337,36 @@ static void memory_that_is_too_small_is_an_error(void **state) {
     NEAR(in.length, 9);
 }
 
+/* How many cubes a board's memory holds: text typed, data and picture in one block as the console divides it. */
+static int most_cubes(size_t bytes) {
+    static char text[400000];
+    static picture_t picture;
+    int most = 0;
+    for (int step = 256; step > 0; step /= 2) {
+        int n = most + step;
+        size_t at = 0;
+        for (int k = 0; k < n; k++) at = add_box(text, at, 1.5 * (k % 16), 1.5 * (k / 16), 0, 1, 1, 1, "012345");
+        data_pool_t pool = {memory, 0, bytes / 8};
+        obj_reader_t r;
+        settings_t set;
+        plot_item_t item = {.solid = true};
+        settings_default(&set);
+        obj_reader_start(&r, &pool, NULL, false, 0);
+        if (obj_reader_feed(&r, text, at) || obj_reader_finish(&r, &item.mesh)) continue;
+        const plot_t plot = {PLOT_SOLIDS, 1, &item, &set};
+        picture_hooks_t hooks = {.share = PICTURE_SHARE_HIDING};
+        if (picture_try(&picture, &plot, pool.base + pool.low, (pool.high - pool.low) * 8, &hooks) == 0) most = n;
+    }
+    return most;
+}
+
+static void capacity_of_the_boards(void **state) {
+    (void)state;
+    int m3 = most_cubes(36864 - MOTION_BYTES(128, 32)), pico = most_cubes(212992 - MOTION_BYTES(512, 64));
+    print_message("# most cubes, each %d characters of OBJ: Cortex-M3 %d, Pico %d\n", 250, m3, pico);
+    assert_true(m3 >= 8 && pico >= 80);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_cube_is_one_convex_object),
@@ -345,6 +377,7 @@ int main(void) {
         cmocka_unit_test(order_and_memory_do_not_matter),
         cmocka_unit_test(visible_and_hidden_are_the_whole),
         cmocka_unit_test(memory_that_is_too_small_is_an_error),
+        cmocka_unit_test(capacity_of_the_boards),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
