@@ -11,8 +11,7 @@ OPT_lm3s6965 := -Os
 OPT_nrf51    := -Os -fno-inline-functions-called-once
 # 256 KB of flash are nearly full: fast is what runs for each point, facet, vertex or step, all else is small.
 FAST_lm3s6965 := $(wildcard src/motion/*.c src/num/num.c src/num/wide.c src/num/ints.c hal/port/*.c hal/lm3s6965/*.c) \
-    src/num/func_trig.c src/num/func_exp.c src/num/func_log.c src/num/func_pow.c \
-    $(wildcard src/path/near.c src/path/sort.c src/path/simplify.c src/path/tour.c) \
+    src/num/func_trig.c src/num/func_exp.c src/path/simplify.c \
     src/lang/eval.c src/lang/arith.c src/scene/grid.c src/scene/expr_surface.c src/view/chart.c \
     src/view/page_map.c src/view/line_space.c src/view/cut.c src/hidden/envelope.c \
     src/hidden/perimeter.c src/hidden/edges.c src/hidden/sweep.c src/hidden/runs.c
