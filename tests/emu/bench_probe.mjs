@@ -24,8 +24,8 @@ function symbolsOf(elf) {
     .filter((s) => s.at >= FLASH && s.size > 0).sort((a, b) => a.at - b.at);
 }
 
-// until: the stage of a picture (enum picture_stage) whose beginning ends the run; 9: none does. out: where the report goes,
-// as JSON. profile: how many of the dearest functions to list.
+// until: what ends the run: `hidden` (all is hidden, ordering begins), `step` (the machine begins to move), or `quit` of the
+// stimulus. out: where the report goes, as JSON. profile: how many of the dearest functions to list.
 export default function probe(mcu, elf, until, out, profile = '0') {
   const { core, clock } = mcu;
   const symbols = symbolsOf(elf);
@@ -43,12 +43,18 @@ export default function probe(mcu, elf, until, out, profile = '0') {
   const note = (what) => (ms[what] ??= clock.nanos / 1e6);
   const feed = mcu.uart[0].feedByte.bind(mcu.uart[0]);
   mcu.uart[0].feedByte = (byte) => {
-    if (byte === 13) ms.line = clock.nanos / 1e6;
+    if (byte === 13) {
+      ms.line = clock.nanos / 1e6;
+      delete ms.step;
+      delete ms.pen;
+    }
     feed(byte);
   };
-  mcu.gpio[2].addListener(() => note('step'));
-  mcu.gpio[4].addListener(() => note('step'));
-  mcu.gpio[6].addListener((state) => state === 1 && note('pen'));
+  // Pins are set up at power-on; what counts is what they do after the line.
+  const watch = (gpio, what) => mcu.gpio[gpio].addListener((state) => state === 1 && ms.line && note(what));
+  watch(2, 'step');
+  watch(4, 'step');
+  watch(6, 'pen');
 
   const flat = new Float64Array(symbols.length + 1);
   const cycles = { other: 0, interrupts: 0, waiting: 0 };
@@ -57,7 +63,8 @@ export default function probe(mcu, elf, until, out, profile = '0') {
   let phase = 'other', back = -1, backSP = 0, stage = -1, low = 0x7fffffff;
   return {
     step(pc, n, waiting) {
-      if (core.SP < low) low = core.SP;
+      if (core.SP < low && stage >= 0) low = core.SP;
+      if (until === 'step' && ms.step !== undefined) return true;
       if (waiting) {
         cycles.waiting += n;
         return false;
@@ -72,12 +79,10 @@ export default function probe(mcu, elf, until, out, profile = '0') {
         if (pc === tell && core.registers[1] !== stage) {
           stage = core.registers[1];
           if (stage === 0) Object.keys(cycles).forEach((c) => (cycles[c] = 0));
-          note(`stage${stage}`);
-          if (stage === Number(until)) return true;
         }
         if (pc === finish) {
-          note('stage2');
-          if (until === '2') return true;
+          note('hidden');
+          if (until === 'hidden') return true;
         }
         const next = enters.get(pc);
         if (next) {

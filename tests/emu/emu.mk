@@ -30,3 +30,10 @@ test-emu: ## run every board's image in its emulator against the simulator
 	+$(Q)$(again) test-emu-run
 test-emu-run: host $(BOARD_NEEDS)
 	$(Q)$(RUN_TESTS) $(BOARD_TESTS)
+
+.PHONY: bench-mcu bench-mcu-run
+bench-mcu: ## cycles per facet, memory and stack on the boards, in emulators, beside gnuplot (SIZES="20 60" RANDOM="20")
+	$(Q)sh .ci/deps.sh host firmware emu
+	+$(Q)$(again) bench-mcu-run
+bench-mcu-run: $(EMUDIR)/scope.so $(EMUDIR)/node_modules/.ready $(IMAGES) $(BUILDDIR)/bench/cpu_time
+	$(Q)node tests/emu/bench_mcu.mjs $(BUILDDIR)

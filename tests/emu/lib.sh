@@ -35,7 +35,7 @@ run_nrf51() { # stim
 run_qemu() { # machine, 2^n ns an instruction, stim, wires
     timeout 300 qemu-system-arm -M "$1" -display none -monitor none -serial "file:$work/emu.txt" \
         -icount "shift=$2,align=off,sleep=off" -d guest_errors -D "$work/emu.log" \
-        -plugin "$build/emu/scope.so,vcd=$work/emu.vcd,stim=$3,drawings=1$4" -kernel "$build/firmware/$board.elf" \
+        -plugin "$build/emu/scope.so,vcd=$work/emu.vcd,stim=$3,drawings=${drawings:-1}$4" -kernel "$build/firmware/$board.elf" \
         >"$work/emu.said" 2>&1 || return 1
     cat "$work/emu.said" "$work/emu.log" 2>/dev/null | quiet >"$work/emu.err"
     [ ! -s "$work/emu.err" ]

@@ -1,0 +1,87 @@
+// bench_mcu.mjs - what boards take for surfaces, counted from outside the firmware, beside gnuplot on this PC.
+//
+//     node bench_mcu.mjs BUILDDIR        (make bench-mcu; SIZES="20 60" RANDOM="20 60" choose)
+//
+// The Pico runs in rp2040js, which counts cycles; bench_probe.mjs says in which stage. The others run in QEMU, which counts
+// instructions. gnuplot's figure is the CPU time of its process less that of an empty plot.
+import { execFileSync, spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+const build = process.argv[2];
+const tmp = mkdtempSync(join(tmpdir(), 'bench-mcu-'));
+const sizes = (name, usual) => (process.env[name] ?? usual).split(' ').filter(Boolean).map(Number);
+const SMOOTH = sizes('SIZES', '20 60 100 200'), RANDOM = sizes('RANDOM', '20 60');
+const FUNCTION = { smooth: 'exp(-x**2-y**2)', random: 'rand(0)' };
+const PICO_HZ = 125e6, FAST_HZ = 133e6;
+
+// Long drawings are made small and quick: the computing is the same.
+const QUICK = 'set paper 40,30 margin 2; set machine speed 200 travel 200 accel 5000 lift 0.01 lower 0.01';
+function stimulus(shape, n, machine, more = '') {
+  const file = join(tmp, 'scene.stim');
+  writeFileSync(file, [
+    `20000 type set isosamples ${n}; set view from 6,8,3\\r`,
+    '200000 type set xrange [-2:2]; set yrange [-2:2]\\r',
+    `400000 type ${machine.split(';')[0].trim() || 'print 0'}\\r`,
+    `600000 type ${machine.split(';')[1]?.trim() || 'print 0'}\\r`,
+    `2000000 type splot ${FUNCTION[shape]}\\r`, more].join('\n') + '\n');
+  return file;
+}
+
+function pico(shape, n, until, machine, more) {
+  const out = join(tmp, 'pico.json'), text = join(tmp, 'pico.txt');
+  const run = spawnSync('node', ['tests/emu/rp2040.mjs', `${build}/firmware/rp2040.bin`, stimulus(shape, n, machine, more),
+    '/dev/null', text, '99', join(process.cwd(), 'tests/emu/bench_probe.mjs'), `${build}/firmware/rp2040.elf`, until, out],
+    { env: { ...process.env, EMU_MODULES: `${build}/emu` }, encoding: 'utf8', timeout: 900e3 });
+  if (run.status !== 0) throw new Error(`pico ${shape} ${n}: ${run.stderr}`);
+  return { ...JSON.parse(readFileSync(out)), text: readFileSync(text, 'latin1') };
+}
+
+const gnuplotThere = spawnSync('gnuplot', ['--version']).status === 0;
+function cpuMs(script, repeat) {
+  const file = join(tmp, 'g.gp');
+  writeFileSync(file, script);
+  return 1e3 * Number(execFileSync(`${build}/bench/cpu_time`, [String(repeat), 'gnuplot', file],
+    { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }));
+}
+function gnuplotMs(shape, n) {
+  if (!gnuplotThere || (shape === 'random' && n > 100)) return undefined;
+  const head = 'set term dumb\nset hidden3d\nset xrange [-2:2]\nset yrange [-2:2]\n';
+  const empty = cpuMs(`${head}set isosamples 2\nset samples 2\nsplot 0 with lines\n`, 5);
+  return Math.max(0, cpuMs(`${head}set isosamples ${n}\nset samples ${n}\nsplot ${FUNCTION[shape]} with lines\n`, n > 60 ? 1 : 5) - empty);
+}
+
+function table() {
+  console.log('RP2040 at 125 MHz: cycles per facet for evaluating, projecting and hiding; the whole surface, beside gnuplot on this PC\n');
+  console.log('| surface | n | evaluate | project | hide | together | ms | ms at 133 MHz | gnuplot hidden3d, CPU ms | gnuplot / board | line to first step, ms |');
+  console.log('|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|');
+  for (const [shape, list] of [['smooth', SMOOTH], ['random', RANDOM]]) {
+    for (const n of list) {
+      const r = pico(shape, n, 'hidden', QUICK), c = r.cycles, facets = (n - 1) ** 2;
+      const sum = c.measure + c.view + c.hide + c.evaluate, ms = (1e3 * sum) / PICO_HZ, g = gnuplotMs(shape, n);
+      const first = r.ms.step !== undefined ? r : pico(shape, n, 'step', QUICK);
+      const cell = (v) => Math.round(v / facets).toLocaleString('en');
+      console.log(`| ${shape} | ${n} | ${cell(c.measure + c.evaluate)} | ${cell(c.view)} | ${cell(c.hide)} | ${cell(sum)} | ${ms.toFixed(1)} | ` +
+        `${((1e3 * sum) / FAST_HZ).toFixed(1)} | ${g?.toFixed(0) ?? '-'} | ${g ? (g / ms).toFixed(2) : '-'} | ${(first.ms.step - first.ms.line).toFixed(1)} |`);
+    }
+  }
+}
+
+// Drawn to the end; what the board itself says of its memory.
+function memory(board, said) {
+  console.log(`\n${board}\n`);
+  const at = said.lastIndexOf('> memory');
+  console.log(said.slice(at + 9).replace(/[\x11\x13\r]/g, '').split('\n').filter((l) => l && !l.startsWith('>')).map((l) => `    ${l}`).join('\n'));
+}
+
+function qemu(board, shape, n, seconds) {
+  const stim = stimulus(shape, n, QUICK, `+${seconds}000000 type memory\\r\n+${seconds + 2}000000 quit`);
+  return execFileSync('sh', ['tests/emu/bench_qemu.sh', build, board, stim], { encoding: 'latin1', timeout: 900e3 });
+}
+
+table();
+const r = pico('smooth', 60, 'quit', '', '+230000000 type memory\\r\n+230300000 quit');
+memory('Pico, smooth 60x60, A4, 100 mm/s, drawn to the end', r.text);
+for (const shape of ['smooth', 'random'])
+  memory(`micro:bit, ${shape} 60x60, drawn to the end on small paper`, qemu('nrf51', shape, 60, shape === 'smooth' ? 60 : 200));

@@ -1,0 +1,9 @@
+#!/bin/sh
+# bench_qemu.sh BUILDDIR BOARD STIM - runs an image in QEMU until the stimulus quits; prints what its console said.
+BUILDDIR=$1
+export BUILDDIR
+board=$2
+. tests/emu/lib.sh
+drawings=99
+"run_$board" "$3" || cat "$work/emu.err" >&2
+cat "$work/emu.txt"
