@@ -42,7 +42,8 @@ static inline num_t num_fast_neg(num_t a) {
     return a;
 }
 
-static inline num_t num_fast_add(num_t a, num_t b) {
+/* Always inline: a call would copy both operands. */
+static inline __attribute__((always_inline)) num_t num_fast_add(num_t a, num_t b) {
     if (NUM_FAST_RARE(a.m == 0 || b.m == 0)) return num_fast_add_rare(a, b);
     int32_t d = a.e - b.e, e = d < 0 ? b.e : a.e;
     int64_t big = d < 0 ? b.m : a.m, small = d < 0 ? a.m : b.m;
