@@ -8,26 +8,31 @@
 
 int windows_init(windows_t *w, int32_t nx, void *mem, size_t bytes) {
     int32_t bits = 3; /* a scene fills a fourth of the abscissae at least */
-    while (bits < 14 && (INT32_C(1) << bits) < 2 * nx && (sizeof(int32_t) << bits) < bytes / 8) bits++;
-    const size_t bins = sizeof(int32_t) << bits;
-    if (bytes < bins + 4 * sizeof(window_t)) return ERR_FULL;
-    *w = (windows_t){.bin = mem, .shift = (int8_t)(31 - bits), .free = -1};
-    w->pool = (window_t *)(void *)((uint8_t *)mem + bins);
-    w->capacity = (int32_t)((bytes - bins) / sizeof(window_t));
-    for (int32_t k = 0; k < INT32_C(1) << bits; k++) w->bin[k] = -1;
+    while (bits < 14 && (INT32_C(1) << bits) < 2 * nx && (sizeof(int32_t) << bits) < bytes / 16) bits++;
+    const int32_t bands = (sizeof(int32_t) << bits) * (1 + WINDOWS_BANDS) <= bytes / 4 ? WINDOWS_BANDS : 0;
+    const int32_t lists = (INT32_C(1) << bits) * (1 + bands);
+    const size_t size = (sizeof(int32_t) * (size_t)lists + 7) / 8 * 8;
+    if (bytes < size + 4 * sizeof(window_t)) return ERR_FULL;
+    *w = (windows_t){.list = mem, .shift = (int8_t)(31 - bits), .bands = (int8_t)bands, .free = -1};
+    w->pool = (window_t *)(void *)((uint8_t *)mem + size);
+    w->capacity = (int32_t)((bytes - size) / sizeof(window_t));
+    for (int32_t k = 0; k < lists; k++) w->list[k] = -1;
     return 0;
 }
 
 size_t windows_bytes(const windows_t *w) {
-    return (sizeof(int32_t) << (31 - w->shift)) + (size_t)w->used * sizeof(window_t);
+    return (size_t)((const uint8_t *)(w->pool + w->used) - (const uint8_t *)w->list);
 }
 
 bool windows_any(const windows_t *w, int32_t a0, int32_t a1, int32_t low, int32_t high) {
     if (w->present == 0) return false;
     for (int32_t b = windows_bin(w, a0), last = windows_bin(w, a1); b <= last; b++) {
-        for (int32_t k = w->bin[b]; k >= 0; k = w->pool[k].next) {
-            const window_t *v = &w->pool[k];
-            if (v->a0 <= a1 && v->a1 >= a0 && v->low <= high && v->high >= low) return true;
+        const windows_lists_t lists = windows_lists(w, b, low, high);
+        for (int32_t l = 0; l <= lists.last; l = windows_next_list(&lists, l)) {
+            for (int32_t k = lists.of[l]; k >= 0; k = w->pool[k].next) {
+                const window_t *v = &w->pool[k];
+                if (v->a0 <= a1 && v->a1 >= a0 && v->low <= high && v->high >= low) return true;
+            }
         }
     }
     return false;
@@ -37,18 +42,20 @@ static bool same_line(const bands_line_t *s, const bands_line_t *t) {
     return envelope_same(s->p, t->p) && envelope_same(s->q, t->q);
 }
 
-/* Makes a window of the bin longer if v continues it. */
-static bool join(windows_t *w, int32_t bin, const window_t *v) {
-    for (int32_t k = w->bin[bin]; k >= 0; k = w->pool[k].next) {
+/* Makes a window of the list longer if v continues it and the list is still right for both. */
+static bool join(windows_t *w, int32_t bin, const int32_t *list, const window_t *v) {
+    for (int32_t k = *list; k >= 0; k = w->pool[k].next) {
         window_t *u = &w->pool[k];
         if (u->a1 != v->a0 && u->a0 != v->a1) continue;
         if (!same_line(&u->lo, &v->lo) || !same_line(&u->hi, &v->hi)) continue;
+        const int32_t low = pencil_min(u->low, v->low), high = pencil_max(u->high, v->high);
+        if (windows_list_of(w, bin, low, high) != list) continue;
         *u = (window_t){.a0 = pencil_min(u->a0, v->a0),
                         .a1 = pencil_max(u->a1, v->a1),
                         .lo = u->lo,
                         .hi = u->hi,
-                        .low = pencil_min(u->low, v->low),
-                        .high = pencil_max(u->high, v->high),
+                        .low = low,
+                        .high = high,
                         .next = u->next};
         return true;
     }
@@ -62,16 +69,12 @@ int windows_insert(windows_t *w, int32_t a0, int32_t a1, const bands_line_t *lo,
         const int32_t end = border < a1 ? (int32_t)border : a1;
         const int32_t lo0 = windows_line_at(lo, a0), lo1 = windows_line_at(lo, end);
         const int32_t hi0 = windows_line_at(hi, a0), hi1 = windows_line_at(hi, end);
-        const window_t v = {.a0 = a0,
-                            .a1 = end,
-                            .lo = *lo,
-                            .hi = *hi,
-                            .low = pencil_min(lo0, lo1),
-                            .high = pencil_max(hi0, hi1),
-                            .next = w->bin[bin]};
+        window_t v = {
+            .a0 = a0, .a1 = end, .lo = *lo, .hi = *hi, .low = pencil_min(lo0, lo1), .high = pencil_max(hi0, hi1)};
         a0 = end;
         if (hi0 - lo0 <= ENVELOPE_NOISE && hi1 - lo1 <= ENVELOPE_NOISE) continue; /* nothing shows through */
-        if (join(w, bin, &v)) continue;
+        int32_t *list = windows_list_of(w, bin, v.low, v.high);
+        if (join(w, bin, list, &v)) continue;
         int32_t at = w->free;
         if (at >= 0) {
             w->free = w->pool[at].next;
@@ -80,8 +83,9 @@ int windows_insert(windows_t *w, int32_t a0, int32_t a1, const bands_line_t *lo,
         } else {
             return ERR_FULL;
         }
+        v.next = *list;
         w->pool[at] = v;
-        w->bin[bin] = at;
+        *list = at;
         w->present++;
     }
     return 0;
@@ -156,28 +160,32 @@ static bool inside(const window_t *v, const bands_line_t *edge, int32_t s, int32
     return out->from_q30 < out->to_q30;
 }
 
-int32_t windows_clip(const windows_t *w, pencil_t p, pencil_t q, windows_part_t part[WINDOWS_PARTS]) {
-    const int32_t low = pencil_min(p.w, q.w), high = pencil_max(p.w, q.w);
-    const bands_line_t edge = {p, q};
+/* Adds the part of an edge that is in window v, if any. */
+static int32_t clip_one(const window_t *v, const bands_line_t *edge, windows_part_t part[WINDOWS_PARTS], int32_t n) {
+    const pencil_t p = edge->p, q = edge->q;
+    const int32_t s = pencil_max(p.a, v->a0), t = pencil_min(q.a, v->a1);
     const uint32_t run = (uint32_t)(q.a - p.a);
-    const int32_t units = pencil_max(q.a - p.a, high - low);
-    int32_t n = 0;
+    windows_part_t in;
+    if (s >= t || v->low > pencil_max(p.w, q.w) || v->high < pencil_min(p.w, q.w)) return n;
+    if (!inside(v, edge, s, t, &in)) return n;
+    const int32_t f0 = s == p.a ? 0 : (int32_t)pencil_fraction((uint32_t)(s - p.a), run);
+    const int32_t f1 = t == q.a ? ONE_Q30 : (int32_t)pencil_fraction((uint32_t)(t - p.a), run);
+    const int32_t from = in.from_q30 == 0 ? f0 : f0 + (int32_t)(((int64_t)(f1 - f0) * in.from_q30) >> 30);
+    const int32_t to = in.to_q30 == ONE_Q30 ? f1 : f0 + (int32_t)(((int64_t)(f1 - f0) * in.to_q30) >> 30);
+    return from < to ? windows_add_part(part, n, (windows_part_t){from, to}) : n;
+}
+
+int32_t windows_clip(const windows_t *w, pencil_t p, pencil_t q, windows_part_t part[WINDOWS_PARTS]) {
+    const int32_t low = pencil_min(p.w, q.w), high = pencil_max(p.w, q.w), units = pencil_max(q.a - p.a, high - low);
+    const bands_line_t edge = {p, q};
+    int32_t n = 0, kept = 0;
     if (w->present == 0) return 0;
     for (int32_t b = windows_bin(w, p.a), last = windows_bin(w, q.a - 1); b <= last; b++) {
-        for (int32_t k = w->bin[b]; k >= 0; k = w->pool[k].next) {
-            const window_t *v = &w->pool[k];
-            const int32_t s = pencil_max(p.a, v->a0), t = pencil_min(q.a, v->a1);
-            windows_part_t in;
-            if (s >= t || v->low > high || v->high < low) continue;
-            if (!inside(v, &edge, s, t, &in)) continue;
-            const int32_t f0 = s == p.a ? 0 : (int32_t)pencil_fraction((uint32_t)(s - p.a), run);
-            const int32_t f1 = t == q.a ? ONE_Q30 : (int32_t)pencil_fraction((uint32_t)(t - p.a), run);
-            const int32_t from = in.from_q30 == 0 ? f0 : f0 + (int32_t)(((int64_t)(f1 - f0) * in.from_q30) >> 30);
-            const int32_t to = in.to_q30 == ONE_Q30 ? f1 : f0 + (int32_t)(((int64_t)(f1 - f0) * in.to_q30) >> 30);
-            if (from < to) n = windows_add_part(part, n, (windows_part_t){from, to});
+        const windows_lists_t lists = windows_lists(w, b, low, high);
+        for (int32_t l = 0; l <= lists.last; l = windows_next_list(&lists, l)) {
+            for (int32_t k = lists.of[l]; k >= 0; k = w->pool[k].next) n = clip_one(&w->pool[k], &edge, part, n);
         }
     }
-    int32_t kept = 0;
     for (int32_t k = 0; k < n; k++) {
         const bool noise = ((int64_t)(part[k].to_q30 - part[k].from_q30) * units) >> 30 <= ENVELOPE_NOISE;
         if (!noise || (part[k].from_q30 == 0 && part[k].to_q30 == ONE_Q30)) part[kept++] = part[k];
@@ -187,17 +195,20 @@ int32_t windows_clip(const windows_t *w, pencil_t p, pencil_t q, windows_part_t 
 
 int32_t windows_clip_vertical(const windows_t *w, int32_t x, int32_t low, int32_t high,
                               windows_part_t part[WINDOWS_PARTS]) {
+    const windows_lists_t lists = windows_lists(w, windows_bin(w, x), low, high);
+    const uint32_t height = (uint32_t)(high - low);
     int32_t n = 0;
-    for (int32_t k = w->bin[windows_bin(w, x)]; k >= 0; k = w->pool[k].next) {
-        const window_t *v = &w->pool[k];
-        if (v->a0 > x || v->a1 < x) continue;
-        const int32_t from = pencil_max(low, windows_line_at(&v->lo, x)),
-                      to = pencil_min(high, windows_line_at(&v->hi, x));
-        if (to - from <= ENVELOPE_NOISE) continue;
-        const uint32_t height = (uint32_t)(high - low);
-        n = windows_add_part(part, n,
-                             (windows_part_t){(int32_t)pencil_fraction((uint32_t)(from - low), height),
-                                              (int32_t)pencil_fraction((uint32_t)(to - low), height)});
+    for (int32_t l = 0; l <= lists.last; l = windows_next_list(&lists, l)) {
+        for (int32_t k = lists.of[l]; k >= 0; k = w->pool[k].next) {
+            const window_t *v = &w->pool[k];
+            if (v->a0 > x || v->a1 < x) continue;
+            const int32_t from = pencil_max(low, windows_line_at(&v->lo, x));
+            const int32_t to = pencil_min(high, windows_line_at(&v->hi, x));
+            if (to - from <= ENVELOPE_NOISE) continue;
+            const windows_part_t in = {(int32_t)pencil_fraction((uint32_t)(from - low), height),
+                                       (int32_t)pencil_fraction((uint32_t)(to - low), height)};
+            n = windows_add_part(part, n, in);
+        }
     }
     return n;
 }

@@ -32,15 +32,18 @@ typedef struct window {
 typedef struct windows {
     window_t *pool;
     int32_t capacity, used, free; /* used: the pool's entries before `used` have been in use; free: a list of them */
-    int32_t *bin;
-    int8_t shift;    /* an abscissa's bin is (a + 2^30) >> shift */
-    int32_t present; /* windows there are */
+    int32_t *list;                /* of each bin: 1 + bands */
+    int8_t shift;                 /* an abscissa's bin is (a + 2^30) >> shift */
+    int8_t bands;                 /* 0 or WINDOWS_BANDS */
+    int32_t present;              /* windows there are */
 } windows_t;
 
 /* An interval of an edge, as fractions of its way from left to right, or of the height of a vertical one from below. */
 typedef struct windows_part {
     int32_t from_q30, to_q30;
 } windows_part_t;
+
+#define WINDOWS_BANDS 32
 
 /* No windows; room for as many as fit into `bytes` of mem (aligned to 8), beside bins for nx columns. Returns 0 or
  * ERR_FULL. */

@@ -53,9 +53,10 @@ static bool touches(const window_t *v, const shutter_t *t) {
     return v->a0 < t->a1 && v->a1 > t->a0 && v->low < t->high && v->high > t->low;
 }
 
-static int close_bin(windows_t *w, int32_t bin, const shutter_t *t) {
+/* Takes the windows that the shutter touches out of a list, and puts back what is left of them. */
+static int close_list(windows_t *w, int32_t *list, const shutter_t *t) {
     int32_t hit = -1;
-    for (int32_t *link = &w->bin[bin]; *link >= 0;) {
+    for (int32_t *link = list; *link >= 0;) {
         const int32_t k = *link;
         if (!touches(&w->pool[k], t)) {
             link = &w->pool[k].next;
@@ -82,8 +83,11 @@ static int close_between(windows_t *w, int32_t a0, int32_t a1, const bands_line_
     const int32_t hi0 = windows_line_at(hi, a0), hi1 = windows_line_at(hi, a1);
     const shutter_t t = {a0, a1, *lo, *hi, pencil_min(lo0, lo1), pencil_max(hi0, hi1)};
     for (int32_t b = windows_bin(w, a0), last = windows_bin(w, a1 - 1); b <= last; b++) {
-        int err = close_bin(w, b, &t);
-        if (err != 0) return err;
+        const windows_lists_t lists = windows_lists(w, b, t.low, t.high);
+        for (int32_t l = 0; l <= lists.last; l = windows_next_list(&lists, l)) {
+            int err = close_list(w, &lists.of[l], &t);
+            if (err != 0) return err;
+        }
     }
     return 0;
 }
