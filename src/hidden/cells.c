@@ -3,16 +3,12 @@
 
 #include "hidden/sides.h"
 
-/* Where edges of two layers coincide the later one's facet is taken that much lower and less high: the first one's edge
- * is drawn, neither none nor both. */
-#define COINCIDING (2 * ENVELOPE_NOISE + 1)
-
-/* Clips a side in a vertical plane through the eye: of the other layers' facets in the cell only the edges in the same
- * plane count. */
-static int clip_vertical(sweep_t *s, layer_t *l, int32_t i, int side) {
+/* Takes what is visible of a side in a vertical plane through the eye: of the other layers' facets in the cell only the
+ * edges in the same plane count. */
+static int look_vertical(sweep_t *s, layer_t *l, int32_t i, int side) {
     edges_t *e = &s->edges;
-    bands_t *filter = e->filter;
-    e->filter = NULL;
+    const int32_t sheets = e->sheets;
+    e->sheets = 0;
     e->shade = s->shade;
     for (int32_t k = 0; k < s->layers; k++) {
         const layer_t *o = &s->layer[k];
@@ -20,27 +16,54 @@ static int clip_vertical(sweep_t *s, layer_t *l, int32_t i, int side) {
     }
     int err = side_clip(s, l, i, side);
     e->shades = 0;
-    e->filter = filter;
+    e->sheets = sheets;
     return err;
 }
 
-/* Clips those edges of a layer's facet that are new and near (or not near). */
-static int clip_edges(sweep_t *s, layer_t *l, int32_t i, near_edges_t near, bool are_near) {
+/* Takes what is visible of some sides. */
+static int look_at(sweep_t *s, layer_t *l, int32_t i, uint8_t sides) {
     int err = 0;
     side_take_layer(s, l);
+    s->edges.work = EDGES_LOOK;
     for (int side = 0; side < SIDES && err == 0; side++) {
-        uint8_t *done = side_done(l, i, side);
-        if (*done || side_faces_eye(near, i, side) != are_near) continue;
-        *done = 1;
-        err =
-            s->layers > 1 && side_is_vertical(s, l, i, side) ? clip_vertical(s, l, i, side) : side_clip(s, l, i, side);
+        if (!(sides >> side & 1)) continue;
+        err = side_is_vertical(s, l, i, side) ? look_vertical(s, l, i, side) : side_clip(s, l, i, side);
     }
+    s->edges.work = EDGES_CLIP;
     return err;
+}
+
+/* Covers by some sides. */
+static int cover_by(sweep_t *s, layer_t *l, int32_t i, uint8_t sides, bool bare) {
+    edges_t *e = &s->edges;
+    int err = 0;
+    side_take_layer(s, l);
+    e->work = EDGES_COVER;
+    e->bare = bare;
+    for (int side = 0; side < SIDES && err == 0; side++) {
+        if (sides >> side & 1) err = side_clip(s, l, i, side);
+    }
+    e->work = EDGES_CLIP;
+    e->bare = false;
+    return err;
+}
+
+/* Notes which sides of a layer's facet are new: those that face the eye and are not vertical, and the others. */
+static void find_new(sweep_t *s, layer_t *l, int32_t i, near_edges_t near) {
+    l->near_new = l->far_new = 0;
+    for (int side = 0; side < SIDES; side++) {
+        uint8_t *done = side_done(l, i, side);
+        if (*done) continue;
+        *done = 1;
+        const bool is_near = side_faces_eye(near, i, side) && !side_is_vertical(s, l, i, side);
+        *(is_near ? &l->near_new : &l->far_new) |= (uint8_t)(1 << side);
+    }
 }
 
 /* Is a layer's facet behind what the cells before it cover? Then its edges are done, and it covers nothing new. */
 static bool is_hidden(sweep_t *s, layer_t *l, int32_t i) {
-    const bands_line_t *o = l->outline;
+    edges_t *e = &s->edges;
+    const outline_line_t *o = l->outline;
     if (l->lines == 0) return false;
     pencil_t least = o->p, most = o->q;
     for (int32_t k = 0; k < l->lines; k++, o++) {
@@ -48,9 +71,13 @@ static bool is_hidden(sweep_t *s, layer_t *l, int32_t i) {
         least = (pencil_t){pencil_min(least.a, o->p.a), k == 0 ? low : pencil_min(least.w, low)};
         most = (pencil_t){pencil_max(most.a, o->q.a), k == 0 ? high : pencil_max(most.w, high)};
     }
-    if (!bands_hide(&s->edges.bands, least.a, most.a, least.w, most.w)) return false;
+    if (!envelope_hides(&e->horizons.upper, least.a, most.a, most.w) ||
+        !envelope_hides(&e->horizons.lower, least.a, most.a, -least.w) ||
+        windows_any(&e->windows, least.a, most.a, least.w, most.w)) {
+        return false;
+    }
     for (int side = 0; side < SIDES; side++) {
-        s->edges.clipped += !*side_done(l, i, side);
+        e->clipped += !*side_done(l, i, side);
         *side_done(l, i, side) = 1;
     }
     return true;
@@ -83,22 +110,45 @@ static void share_coinciding(sweep_t *s, int32_t i) {
     }
 }
 
-/* Clips a layer's edges against the cells before, and against the other layers' facets in this one. */
-static int clip_among_others(sweep_t *s, int32_t m, int32_t i, near_edges_t near) {
+/* Takes what is visible of a layer's far sides: beyond the cells before, and the other layers' facets in this one.
+ * Where edges of two layers coincide the first one's is drawn, neither none nor both. */
+static int look_among_others(sweep_t *s, int32_t m, int32_t i) {
     edges_t *e = &s->edges;
-    bool others = false;
+    if (s->layer[m].far_new == 0) return 0;
     for (int32_t k = 0; k < s->layers; k++) {
         const layer_t *o = &s->layer[k];
         if (k == m || !o->present) continue;
-        int err = others ? 0 : edges_filter(e, &s->local, s->local_pool, s->local_words);
-        const int32_t inset = k > m && coincide(s, &s->layer[m], o, i) ? COINCIDING : 0;
-        if (err == 0) err = bands_add(&s->local, o->outline, o->lines, o->seen, inset);
-        if (err != 0) return err;
-        others = true;
+        e->sheet[e->sheets++] = (edges_sheet_t){
+            .span = o->span, .spans = o->spans, .below = o->below, .open = k > m && coincide(s, &s->layer[m], o, i)};
     }
-    int err = clip_edges(s, &s->layer[m], i, near, false);
-    e->filter = NULL;
+    int err = look_at(s, &s->layer[m], i, s->layer[m].far_new);
+    e->sheets = 0;
     return err;
+}
+
+/* All facets of the cell cover. Right below (above) the eye a facet covers from its far edges down (up) and has no near
+ * ones: what is between it and another surface's stays open, and closes where it is covered. */
+static int cover(sweep_t *s, int32_t i) {
+    int err = 0;
+    for (int32_t m = 0; m < s->layers && err == 0; m++) {
+        layer_t *l = &s->layer[m];
+        if (l->present) err = cover_by(s, l, i, l->near_new, true);
+    }
+    for (int32_t m = 0; m < s->layers && err == 0; m++) {
+        layer_t *l = &s->layer[m];
+        if (!l->present) continue;
+        err = cover_by(s, l, i, l->far_new, l->below != 0);
+        if (err == 0 && l->below != 0) err = edges_cover_below(&s->edges, l->span, l->spans, l->below);
+        if (err == 0) err = windows_close(&s->edges.windows, l->span, l->spans, l->below);
+    }
+    return err;
+}
+
+/* Can the cell touch the point right below the eye? */
+static bool is_central(const sweep_t *s, const layer_t *l, int32_t i) {
+    const chart_t *c = &s->edges.chart;
+    const int32_t di = i - c->i0, dj = l->line[0].j - c->j0;
+    return di >= -1 && di <= 1 && dj >= -1 && dj <= 1;
 }
 
 static int cell(sweep_t *s, int32_t i, near_edges_t near) {
@@ -111,21 +161,24 @@ static int cell(sweep_t *s, int32_t i, near_edges_t near) {
         if (!l->present) continue;
         present++;
         err = side_outline(s, l, i);
-        if (err == 0 && is_hidden(s, l, i)) l->present = false;
+        if (err == 0 && is_hidden(s, l, i)) {
+            l->present = false;
+        } else if (err == 0) {
+            l->below = is_central(s, l, i) ? l->seen : 0;
+            l->spans = windows_spans(l->outline, l->lines, l->span);
+        }
     }
     share_coinciding(s, i);
     for (int32_t m = 0; m < s->layers && err == 0; m++) {
-        if (s->layer[m].present) err = clip_edges(s, &s->layer[m], i, near, true);
+        if (!s->layer[m].present) continue;
+        find_new(s, &s->layer[m], i, near);
+        err = look_at(s, &s->layer[m], i, s->layer[m].near_new);
     }
     for (int32_t m = 0; m < s->layers && err == 0; m++) {
-        if (s->layer[m].present) err = clip_among_others(s, m, i, near);
-    }
-    for (int32_t m = 0; m < s->layers && err == 0; m++) {
-        const layer_t *l = &s->layer[m];
-        if (l->present) err = bands_add(&s->edges.bands, l->outline, l->lines, l->seen, 0);
+        if (s->layer[m].present) err = look_among_others(s, m, i);
     }
     s->facets += present;
-    return err;
+    return err != 0 ? err : cover(s, i);
 }
 
 int cells_row(sweep_t *s, int far, bool fresh) {

@@ -34,11 +34,9 @@ static int add_lit(edges_t *e, int32_t from, int32_t to) {
     return 0;
 }
 
-int edges_take_part(void *ctx, envelope_part_t part) {
-    edges_t *e = ctx;
-    edges_edge_t *k = &e->edge;
-    int32_t from = part.from_q30, to = part.to_q30;
-    if (k->quiet) return 0;
+/* Places a part of the line on the edge in space. */
+static int place_part(edges_t *e, int32_t from, int32_t to) {
+    const edges_edge_t *k = &e->edge;
     if (from != 0 || to != ONE_Q30) {
         from = chart_unproject(from, k->g0, k->g1);
         to = chart_unproject(to, k->g0, k->g1);
@@ -50,17 +48,33 @@ int edges_take_part(void *ctx, envelope_part_t part) {
     return add_lit(e, k->start_q30 + from, k->start_q30 + to);
 }
 
+int edges_take_part(void *ctx, envelope_part_t part) {
+    edges_t *e = ctx;
+    int32_t from = part.from_q30;
+    if (e->edge.quiet) return 0;
+    for (int32_t k = 0; k < e->behinds && from < part.to_q30; k++) {
+        const windows_part_t *b = &e->behind[k];
+        if (b->to_q30 <= from) continue;
+        if (b->from_q30 > from) {
+            int err = place_part(e, from, pencil_min(b->from_q30, part.to_q30));
+            if (err != 0) return err;
+        }
+        from = b->to_q30;
+    }
+    return from < part.to_q30 ? place_part(e, from, part.to_q30) : 0;
+}
+
 int edges_take_unseen(edges_t *e, int32_t s0, int32_t s1) {
     e->edge.start_q30 = s0;
     e->edge.way_q30 = s1 - s0;
-    if (e->outline_only || e->horizons.upper_apart) return 0;
+    if (e->outline_only || e->horizons.upper_apart || e->work == EDGES_COVER) return 0;
     return edges_take_part(e, (envelope_part_t){.to_q30 = ONE_Q30});
 }
 
 bool edges_facet_is_right(const edges_t *e, pencil_t p0, pencil_t p1) {
     const int32_t lo = pencil_min(p0.a, p1.a) - 1, hi = pencil_max(p0.a, p1.a) + 1;
     for (int32_t k = 0; k < e->lines; k++) {
-        const bands_line_t *s = &e->outline[k];
+        const outline_line_t *s = &e->outline[k];
         if (s->p.a >= lo && s->p.a <= hi && s->q.a > hi) return true;
     }
     return false;
@@ -69,31 +83,11 @@ bool edges_facet_is_right(const edges_t *e, pencil_t p0, pencil_t p1) {
 int edges_clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
     if (e->chart.kind == CHART_VERTICAL) return edges_take_unseen(e, 0, ONE_Q30);
     if (e->cover == COVER_HORIZONS) return horizons_clip(&e->horizons, p0, p1);
-    if (!e->outline_only && !edges_has_bands(e->cover)) return edges_clip_windowed(e, p0, p1);
-    if (!e->outline_only) {
-        e->right = edges_facet_is_right(e, p0, p1);
-        e->line = (bands_line_t){p0, p1};
-        return bands_clip(&e->bands, p0, p1, e->right);
-    }
-    if (p0.a != p1.a && e->lines < BANDS_LINES) {
-        e->outline[e->lines++] = p0.a < p1.a ? (bands_line_t){p0, p1} : (bands_line_t){p1, p0};
+    if (!e->outline_only) return edges_clip_windowed(e, p0, p1);
+    if (p0.a != p1.a && e->lines < OUTLINE_LINES) {
+        e->outline[e->lines++] = p0.a < p1.a ? (outline_line_t){p0, p1} : (outline_line_t){p1, p0};
     }
     return 0;
-}
-
-/* What the cells before leave of a line, the other surfaces of this cell may hide. */
-static int take_open(void *ctx, envelope_part_t part) {
-    edges_t *e = ctx;
-    if (e->filter == NULL) return edges_take_part(e, part);
-    e->window = part;
-    return bands_clip(e->filter, e->line.p, e->line.q, e->right);
-}
-
-static int take_filtered(void *ctx, envelope_part_t part) {
-    edges_t *e = ctx;
-    part.from_q30 = pencil_max(part.from_q30, e->window.from_q30);
-    part.to_q30 = pencil_min(part.to_q30, e->window.to_q30);
-    return part.from_q30 < part.to_q30 ? edges_take_part(e, part) : 0;
 }
 
 int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_t seen, int turn, pencil_t *pool,
@@ -102,8 +96,6 @@ int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_
     const bool upper = windows || (seen >= 0 && turn >= 0), lower = windows || (seen <= 0 && turn <= 0);
     e->runs = (runs_t){.sink = sink};
     e->cover = cover;
-    if (edges_has_bands(cover))
-        return bands_init(&e->bands, e->chart.narrow, (int32_t *)(void *)pool, 2 * count, take_open, e);
     if (windows) {
         count /= 2;
         int err = windows_init(&e->windows, e->chart.grid->nx, pool + count, count * sizeof *pool);
@@ -112,11 +104,6 @@ int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_
     int err = horizons_init(&e->horizons, upper, lower, e->chart.narrow, pool, count, edges_take_part, e);
     e->horizons.upper_apart = turn < 0;
     return err;
-}
-
-int edges_filter(edges_t *e, bands_t *filter, int32_t *pool, size_t words) {
-    e->filter = filter;
-    return bands_init(filter, e->chart.narrow, pool, words, take_filtered, e);
 }
 
 /* `across` is the edge's constant distance from the eye in CHART_AROUND: an edge that is several lines there is
@@ -139,7 +126,7 @@ int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run) {
     const chart_column_t *c = e->chart.column;
     e->edge =
         (edges_edge_t){.family = INK_ROW, .line = line->j, .cell = i, .run = run, .g0 = 1, .g1 = 1, .way_q30 = ONE_Q30};
-    e->clipped += !e->outline_only;
+    e->clipped += !e->outline_only && e->work != EDGES_COVER;
     if (e->chart.kind == CHART_EAST) {
         e->edge.g0 = c[i].r;
         e->edge.g1 = c[i + 1].r;
@@ -161,7 +148,7 @@ int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next,
     const chart_column_t *c = e->chart.column;
     e->edge =
         (edges_edge_t){.family = INK_COL, .line = i, .cell = line->j, .run = run, .g0 = 1, .g1 = 1, .way_q30 = ONE_Q30};
-    e->clipped += !e->outline_only;
+    e->clipped += !e->outline_only && e->work != EDGES_COVER;
     if (e->chart.kind == CHART_NORTH) {
         e->edge.g0 = line->r;
         e->edge.g1 = next->r;

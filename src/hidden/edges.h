@@ -4,8 +4,6 @@
 #ifndef EDGES_H
 #define EDGES_H
 
-#include "config.h"
-#include "hidden/bands.h"
 #include "hidden/horizons.h"
 #include "hidden/runs.h"
 #include "hidden/shade.h"
@@ -22,14 +20,20 @@ typedef struct edges_edge {
     int32_t start_q30, way_q30; /* the part that is being clipped, in space */
 } edges_edge_t;
 
-/* What remembers what is covered: two horizons; they and the windows between them, for a surface with holes; or bands,
- * for several surfaces. */
-enum edges_cover { COVER_HORIZONS, COVER_WINDOWS, COVER_BANDS };
+/* What remembers what is covered: two horizons; or they and the windows between them, for a surface with holes and for
+ * several surfaces. */
+enum edges_cover { COVER_HORIZONS, COVER_WINDOWS };
 
-/* Bands are left out where a plot has but one surface. */
-static inline bool edges_has_bands(enum edges_cover cover) {
-    return CONFIG_PLOT_ITEMS > 1 && cover == COVER_BANDS;
-}
+/* What clipping an edge does: take what is visible and cover; or only one of them. */
+enum edges_work { EDGES_CLIP, EDGES_LOOK, EDGES_COVER };
+
+/* Another surface's facet in the same cell, which hides what is behind it. */
+typedef struct edges_sheet {
+    const windows_span_t *span;
+    int32_t spans;
+    int8_t below;
+    bool open; /* what lies on its border is not hidden */
+} edges_sheet_t;
 
 typedef struct edges {
     chart_t chart;
@@ -37,17 +41,17 @@ typedef struct edges {
     enum edges_cover cover;
     windows_t windows;
     bool bare; /* the edge is near, and no facet in front of it ends there */
-    /* Windows and bands want whole facets: the lines of the one at hand. */
-    bands_t bands;
-    bands_line_t *outline;
+    enum edges_work work;
+    /* Windows want whole facets: the lines of the one at hand. */
+    outline_line_t *outline;
     int32_t lines;
     bool outline_only; /* the edge is only to be noted */
-    /* Several surfaces: what else covers, the line being clipped, and which part of it is open to the first cover. */
+    /* Several surfaces: the others' facets in the cell, and what they hide of the line at hand, in lent memory. */
     bool several;
-    bands_t *filter;
-    bands_line_t line;
-    bool right;
-    envelope_part_t window;
+    edges_sheet_t *sheet;
+    int32_t sheets;
+    windows_part_t *behind;
+    int32_t behinds;
     /* Of an edge in a vertical plane through the eye: what the other surfaces' edges beside it hide, in no order. */
     shade_t *shade;
     int32_t shades;
@@ -63,11 +67,7 @@ int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_
 
 /* COVER_WINDOWS: the facet at hand touches the point right below (below > 0) or above (below < 0) the eye: where only
  * one line of its outline is, it covers all from there down (up). Call it when its edges have been clipped. */
-int edges_cover_below(edges_t *e, int8_t below);
-
-/* From now on, until e->filter is NULL again, edges are also clipped against filter, which starts empty. Returns 0 or
- * ERR_FULL. */
-int edges_filter(edges_t *e, bands_t *filter, int32_t *pool, size_t words);
+int edges_cover_below(edges_t *e, const windows_span_t *span, int32_t spans, int8_t below);
 
 /* Clips the edge from (i, line) one column (INK_ROW) or one row (INK_COL, next is row line + 1) further, and adds
  * what is visible to run. Returns 0, ERR_FULL or the sink's error. */

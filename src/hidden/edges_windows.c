@@ -33,31 +33,59 @@ static int clip_vertical_windowed(edges_t *e, pencil_t p0, pencil_t p1) {
     return take_parts(e, part, n, p1.w < p0.w);
 }
 
+/* Notes what the other surfaces' facets in the cell hide of a line from left to right; turn: p0 is on the right. */
+static void look_behind(edges_t *e, pencil_t l, pencil_t r, bool turn) {
+    const outline_line_t line = {l, r};
+    int32_t n = 0;
+    for (int32_t k = 0; k < e->sheets; k++) {
+        const edges_sheet_t *s = &e->sheet[k];
+        n = windows_behind(s->span, s->spans, s->below, &line, s->open, e->behind, n);
+    }
+    e->behinds = n;
+    for (int32_t k = 0; turn && k < (n + 1) / 2; k++) {
+        const windows_part_t a = e->behind[k], b = e->behind[n - 1 - k];
+        e->behind[k] = (windows_part_t){ONE_Q30 - b.to_q30, ONE_Q30 - b.from_q30};
+        e->behind[n - 1 - k] = (windows_part_t){ONE_Q30 - a.to_q30, ONE_Q30 - a.from_q30};
+    }
+}
+
+/* Takes what is visible of a line; the cover stays as it is. */
+static int look(edges_t *e, pencil_t p0, pencil_t p1, pencil_t l, pencil_t r, bool turn) {
+    windows_part_t part[WINDOWS_PARTS];
+    look_behind(e, l, r, turn);
+    int err = take_parts(e, part, windows_clip(&e->windows, l, r, part), turn);
+    if (err == 0) err = horizons_look(&e->horizons, p0, p1);
+    e->behinds = 0;
+    return err;
+}
+
+/* Opens windows between a bare line and the horizons. */
+static int open_windows(edges_t *e, pencil_t l, pencil_t r) {
+    int err = windows_open(&e->windows, &e->horizons.upper, l, r, false);
+    if (err != 0) return err;
+    return windows_open(&e->windows, &e->horizons.lower, (pencil_t){l.a, -l.w}, (pencil_t){r.a, -r.w}, true);
+}
+
 int edges_clip_windowed(edges_t *e, pencil_t p0, pencil_t p1) {
     const bool turn = p1.a < p0.a;
     const pencil_t l = turn ? p1 : p0, r = turn ? p0 : p1;
     const bool vertical = envelope_vertical(l, r, e->chart.narrow);
     int err = 0;
-    if (vertical) {
-        err = clip_vertical_windowed(e, p0, p1);
-    } else if (l.a < r.a && e->windows.present > 0) {
+    if (vertical && e->work != EDGES_COVER) err = clip_vertical_windowed(e, p0, p1);
+    if (err != 0 || l.a == r.a) return err;
+    if (e->work == EDGES_LOOK) return vertical ? 0 : look(e, p0, p1, l, r, turn);
+    if (!vertical && e->work == EDGES_CLIP && e->windows.present > 0) {
         windows_part_t part[WINDOWS_PARTS];
         err = take_parts(e, part, windows_clip(&e->windows, l, r, part), turn);
     }
-    if (err != 0 || l.a == r.a) return err;
-    if (e->bare) {
-        err = windows_open(&e->windows, &e->horizons.upper, l, r, false);
-        if (err == 0)
-            err = windows_open(&e->windows, &e->horizons.lower, (pencil_t){l.a, -l.w}, (pencil_t){r.a, -r.w}, true);
-        if (err != 0) return err;
-    }
-    return vertical ? horizons_raise(&e->horizons, l, r) : horizons_clip(&e->horizons, p0, p1);
+    if (err == 0 && e->bare) err = open_windows(e, l, r);
+    if (err != 0) return err;
+    return vertical || e->work == EDGES_COVER ? horizons_raise(&e->horizons, l, r)
+                                              : horizons_clip(&e->horizons, p0, p1);
 }
 
-int edges_cover_below(edges_t *e, int8_t below) {
+int edges_cover_below(edges_t *e, const windows_span_t *span, int32_t spans, int8_t below) {
     envelope_t *h = below > 0 ? &e->horizons.lower : &e->horizons.upper;
-    windows_span_t span[2 * BANDS_LINES];
-    const int32_t spans = windows_spans(e->outline, e->lines, span);
     for (int32_t k = 0; k < spans; k++) {
         if (span[k].lo != span[k].hi) continue;
         const pencil_t l = {span[k].a0, PENCIL_LIMIT}, r = {span[k].a1, PENCIL_LIMIT}; /* the lower one has w negated */

@@ -150,15 +150,17 @@ static bool drops_from(pencil_t end, pencil_t x, pencil_t other) {
     return drop > 2 * ENVELOPE_NOISE && x.w != ENVELOPE_FLOOR && (drop - ENVELOPE_NOISE) * run > rise * ENVELOPE_NOISE;
 }
 
-int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, void *ctx, envelope_count_t *count) {
+/* Walks along the horizon under an edge; raise: and raises it. */
+static inline __attribute__((always_inline)) int walk(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take,
+                                                      void *ctx, envelope_count_t *count, const bool raise) {
     clip_t c = {.h = h, .p = p, .q = q};
     envelope_seek(h, p.a);
     int err = room(h);
     if (err != 0) return err;
     pencil_t v = h->l[-1]; /* start of the current piece; v.a <= the current abscissa */
     if (v.a == p.a ? envelope_below(p, q, v, count) || drops_from(p, v, *h->r) : envelope_above(v, *h->r, p, count)) {
-        if (v.a < p.a) push(h, p.a, pencil_ordinate(v, *h->r, p.a));
-        push(h, p.a, p.w);
+        if (raise && v.a < p.a) push(h, p.a, pencil_ordinate(v, *h->r, p.a));
+        if (raise) push(h, p.a, p.w);
         begin(&c, 0);
     }
     c.first = v.w == ENVELOPE_FLOOR;
@@ -177,18 +179,18 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
             } else {
                 begin(&c, at);
             }
-            push(h, x.a, x.w);
+            if (raise) push(h, x.a, x.w);
         }
         if (last) {
             if (c.visible) {
-                push(h, q.a, q.w);
-                push(h, q.a, pencil_ordinate(v, w, q.a));
+                if (raise) push(h, q.a, q.w);
+                if (raise) push(h, q.a, pencil_ordinate(v, w, q.a));
                 if ((err = finish(&c, ONE_Q30, take, ctx)) != 0) return err;
             }
             break;
         }
         h->r++;
-        if (!c.visible) push(h, w.a, w.w);
+        if (!raise || !c.visible) push(h, w.a, w.w);
         v = w;
         if (h->r->a == w.a) { /* a jump */
             pencil_t far = *h->r;
@@ -203,7 +205,7 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
             } else if (above != c.visible) {
                 pencil_t x = {w.a, pencil_ordinate(p, q, w.a)};
                 int32_t at = envelope_fraction_at(p, q, x);
-                push(h, x.a, x.w);
+                if (raise) push(h, x.a, x.w);
                 if (c.visible) {
                     if ((err = finish(&c, at, take, ctx)) != 0) return err;
                 } else {
@@ -212,20 +214,28 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
             }
             c.first = floor;
             h->r++;
-            if (!c.visible) push(h, far.a, far.w);
+            if (!raise || !c.visible) push(h, far.a, far.w);
             v = far;
         }
         if (w.a == q.a) {
             if (c.visible) {
-                push(h, q.a, q.w);
-                push(h, v.a, v.w);
+                if (raise) push(h, q.a, q.w);
+                if (raise) push(h, v.a, v.w);
                 if ((err = finish(&c, ONE_Q30, take, ctx)) != 0) return err;
             }
             break;
         }
     }
-    if (c.any) h->peak = pencil_max(h->peak, envelope_size(h));
+    if (raise && c.any) h->peak = pencil_max(h->peak, envelope_size(h));
     return c.any;
+}
+
+int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, void *ctx, envelope_count_t *count) {
+    return walk(h, p, q, take, ctx, count, true);
+}
+
+int envelope_look(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, void *ctx, envelope_count_t *count) {
+    return walk(h, p, q, take, ctx, count, false);
 }
 
 int32_t envelope_height(envelope_t *h, int32_t a_lo, int32_t a_hi) {

@@ -56,6 +56,9 @@ int envelope_init(envelope_t *upper, envelope_t *lower, pencil_t *pool, size_t c
  * decide, two divisions per crossing. */
 int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, void *ctx, envelope_count_t *count);
 
+/* The same, but h stays as it is. */
+int envelope_look(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, void *ctx, envelope_count_t *count);
+
 /* The height of h at abscissa a: of its limits from left and right, and of all between a_lo and a_hi, the highest. */
 int32_t envelope_height(envelope_t *h, int32_t a_lo, int32_t a_hi);
 

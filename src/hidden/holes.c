@@ -36,9 +36,11 @@ static int facet(sweep_t *s, layer_t *l, int32_t i, int8_t below) {
     edges_t *e = &s->edges;
     int err = side_outline(s, l, i);
     if (err == 0) err = clip_far(s, l, i);
-    if (err == 0 && below != 0) err = edges_cover_below(e, below);
-    if (err == 0) err = windows_close(&e->windows, l->outline, l->lines, below);
-    return err;
+    if (err != 0 || (below == 0 && e->windows.present == 0)) return err;
+    windows_span_t span[WINDOWS_SPANS];
+    const int32_t spans = windows_spans(l->outline, l->lines, span);
+    if (below != 0) err = edges_cover_below(e, span, spans, below);
+    return err != 0 ? err : windows_close(&e->windows, span, spans, below);
 }
 
 /* Is no window over the facet, and none of its far edges vertical? */

@@ -4,6 +4,7 @@
  * abscissa, so a facet is a tiny profile that raises the horizons. */
 #include "hidden/perimeter.h"
 
+#include "config.h"
 #include "error.h"
 #include "hidden/cells.h"
 #include "hidden/corner.h"
@@ -93,14 +94,15 @@ int perimeter_draw_several(grid_t *const grid[], int32_t n, const camera_t *cam,
                            hidden_stats_t *stats) {
     sweep_t s = {0};
     int64_t evaluated = 0;
-    enum edges_cover cover = n > 1 ? COVER_BANDS : grid[0]->holes > 0 ? COVER_WINDOWS : COVER_HORIZONS;
+    const bool several = n > 1 && CONFIG_PLOT_ITEMS > 1; /* else it need not be there */
+    const enum edges_cover cover = n > 1 || grid[0]->holes > 0 ? COVER_WINDOWS : COVER_HORIZONS;
     *stats = (hidden_stats_t){0};
-    if (cover == COVER_BANDS && !edges_has_bands(cover)) return ERR_UNSUPPORTED;
+    if (n > 1 && !several) return ERR_UNSUPPORTED;
     for (int32_t k = 0; k < n; k++) {
         if (k > 0 && !same_points(grid[0], grid[k])) return ERR_UNSUPPORTED;
         evaluated -= grid[k]->evaluated;
     }
-    const sweep_row_t row = edges_has_bands(cover) ? cells_row : cover == COVER_WINDOWS ? holes_row : facets_row;
+    const sweep_row_t row = several ? cells_row : cover == COVER_WINDOWS ? holes_row : facets_row;
     int err = 0, turn = job->in_turn ? 1 : 0;
     do {
         s = (sweep_t){0};

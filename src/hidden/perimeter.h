@@ -18,10 +18,11 @@
  * Cost: linear in the facets for all surfaces we know; memory: see perimeter_bytes. */
 int perimeter_draw(grid_t *g, const camera_t *cam, const hidden_job_t *job, hidden_stats_t *stats);
 
-/* The same for n surfaces over the same points (x, y), 1 <= n <= 255; pieces carry the surface's number. A surface with
- * holes takes holes.h: half of the memory is for windows, 52 bytes each, a few for each vertex of the holes' rims.
- * Several surfaces take cells.h instead of horizons: ten times slower and more, 24 bytes for a vertex.
- * Returns as above, or ERR_UNSUPPORTED when the grids' points differ. */
+/* The same for n surfaces over the same points (x, y), 1 <= n <= 255 (1 where CONFIG_PLOT_ITEMS is 1); pieces carry the
+ * surface's number. A surface with holes takes holes.h, several surfaces cells.h: half of the memory is then for
+ * windows, 52 bytes each, a few for each vertex of the holes' rims, or one for each column between two surfaces.
+ * Several surfaces take some 5,000 instructions a facet. Returns as above, or ERR_UNSUPPORTED when the grids' points
+ * differ. */
 int perimeter_draw_several(grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
                            hidden_stats_t *stats);
 

@@ -3,16 +3,15 @@
 
 #include "error.h"
 
-/* Per column and layer: an open run, two rows of points; in CHART_AROUND two rows of heights; with gaps six flags. */
+/* Per column and layer: an open run, two rows of points; in CHART_AROUND two rows of heights; with windows six flags.
+ */
 #define LAYER_BYTES (sizeof(run_t) + 2 * sizeof(pencil_t))
 #define AROUND_BYTES (2 * sizeof(int64_t))
 #define FLAGS 6
 
-/* Words for the facets of one cell: each cuts it at no more abscissae than it has lines' ends. */
-#define LOCAL_WORDS(n) ((n) > 1 ? (size_t)2 * BANDS_LINES * (size_t)(3 + 4 * (n)) : 0)
-
-/* What they hide of a vertical edge. */
-#define SHADES(n) ((size_t)2 * (size_t)(n))
+/* Several surfaces: what the others hide of a vertical edge, their facets in a cell, what those hide of a line. */
+#define OTHER_BYTES (2 * sizeof(shade_t) + sizeof(edges_sheet_t) + WINDOWS_SPANS * sizeof(windows_span_t))
+#define OTHERS_BYTES(n) ((n) > 1 ? (size_t)(n)*OTHER_BYTES + WINDOWS_PARTS * sizeof(windows_part_t) : 0)
 
 typedef struct lender {
     uint8_t *mem;
@@ -31,34 +30,33 @@ static void *lend(lender_t *l, size_t bytes) {
     return at;
 }
 
-size_t sweep_bytes(int32_t nx, int32_t layers, bool gaps) {
-    const size_t column = LAYER_BYTES + AROUND_BYTES + (gaps ? FLAGS : 0), rounding = 8 * (5 + FLAGS);
-    const size_t outline = gaps ? BANDS_LINES * sizeof(bands_line_t) : 0;
+size_t sweep_bytes(int32_t nx, int32_t layers, bool windows) {
+    const size_t column = LAYER_BYTES + AROUND_BYTES + (windows ? FLAGS : 0), rounding = 8 * (5 + FLAGS);
+    const size_t outline = windows ? OUTLINE_LINES * sizeof(outline_line_t) : 0;
     return (size_t)layers * (sizeof(layer_t) + outline + (size_t)nx * column + rounding) +
-           (size_t)nx * sizeof(chart_column_t) + 16 + LOCAL_WORDS(layers) * sizeof(int32_t) +
-           (layers > 1 ? SHADES(layers) * sizeof(shade_t) : 0);
+           (size_t)nx * sizeof(chart_column_t) + 32 + OTHERS_BYTES(layers);
 }
 
-static void lay_out(layer_t *l, lender_t *from, size_t nx, bool around, bool gaps) {
+static void lay_out(layer_t *l, lender_t *from, size_t nx, bool around, bool windows) {
     l->column_run = lend(from, nx * sizeof(run_t));
     for (int k = 0; k < 2; k++) {
         l->line[k].at = lend(from, nx * sizeof(pencil_t));
         if (around) l->line[k].z = lend(from, nx * sizeof(int64_t));
-        if (gaps) {
+        if (windows) {
             l->line[k].hole = lend(from, nx);
             l->row_done[k] = lend(from, nx);
         }
     }
-    if (gaps) {
+    if (windows) {
         l->column_done = lend(from, nx);
         l->kept_done = lend(from, nx);
-        l->outline = lend(from, BANDS_LINES * sizeof(bands_line_t));
+        l->outline = lend(from, OUTLINE_LINES * sizeof(outline_line_t));
     }
 }
 
 int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
                enum edges_cover cover, int turn) {
-    const bool gaps = cover != COVER_HORIZONS;
+    const bool windows = cover != COVER_HORIZONS;
     const size_t nx = (size_t)grid[0]->nx;
     lender_t from = {job->mem, job->bytes};
     edges_t *e = &s->edges;
@@ -70,18 +68,21 @@ int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam,
     for (int32_t m = 0; m < n; m++) {
         layer_t *l = &s->layer[m];
         *l = (layer_t){.grid = grid[m], .surface = (uint8_t)m};
-        lay_out(l, &from, nx, e->chart.kind == CHART_AROUND, gaps);
+        lay_out(l, &from, nx, e->chart.kind == CHART_AROUND, windows);
         if (from.mem == NULL) return ERR_FULL;
         for (size_t i = 0; i < nx; i++) l->column_run[i] = (run_t){0, 0};
         l->seen = chart_seen(&e->chart, grid[m]);
     }
-    s->local_words = LOCAL_WORDS(n);
-    s->local_pool = lend(&from, s->local_words * sizeof(int32_t));
-    s->shade = n > 1 ? lend(&from, SHADES(n) * sizeof(shade_t)) : NULL;
+    for (int32_t m = 0; m < n && n > 1; m++) s->layer[m].span = lend(&from, WINDOWS_SPANS * sizeof(windows_span_t));
+    if (n > 1) {
+        s->shade = lend(&from, 2 * (size_t)n * sizeof(shade_t));
+        e->sheet = lend(&from, (size_t)n * sizeof(edges_sheet_t));
+        e->behind = lend(&from, WINDOWS_PARTS * sizeof(windows_part_t));
+    }
     if (from.mem == NULL) return ERR_FULL;
     s->fixed = job->bytes - from.left;
     e->several = n > 1;
-    s->turn = gaps || s->layer[0].seen ? 0 : turn;
+    s->turn = windows || s->layer[0].seen ? 0 : turn;
     return edges_init(e, job->sink, cover, s->layer[0].seen, s->turn, (pencil_t *)(void *)from.mem,
                       from.left / sizeof(pencil_t));
 }
@@ -167,15 +168,14 @@ int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row) {
 void sweep_account(const sweep_t *s, hidden_stats_t *stats) {
     const horizons_t *h = &s->edges.horizons;
     int32_t upper = h->has_upper ? h->upper.peak : 0, lower = h->has_lower ? h->lower.peak : 0;
-    size_t bytes =
-        s->fixed + (size_t)(upper + lower) * sizeof(pencil_t) + (size_t)s->edges.bands.peak * sizeof(int32_t);
+    size_t bytes = s->fixed + (size_t)(upper + lower) * sizeof(pencil_t);
     if (s->edges.cover == COVER_WINDOWS) bytes += windows_bytes(&s->edges.windows);
     if (s->turn >= 0) { /* a second sweep meets the same facets */
         stats->facets = s->facets;
         stats->edges = s->edges.clipped;
     }
-    stats->tests += h->count.tests + s->edges.bands.count.tests;
-    stats->crossings += h->count.crossings + s->edges.bands.count.crossings;
+    stats->tests += h->count.tests;
+    stats->crossings += h->count.crossings;
     stats->pieces += s->edges.runs.pieces;
     stats->peak_upper += upper;
     stats->peak_lower += lower;

@@ -6,7 +6,7 @@
  *      . . . E 1 . .
  *
  * What is done with a row of facets is the caller's: perimeter.c keeps two horizons, holes.c also the windows between
- * them, cells.c a cover with gaps. */
+ * them, cells.c does so for several surfaces. */
 #ifndef SWEEP_H
 #define SWEEP_H
 
@@ -25,12 +25,16 @@ typedef struct layer {
     chart_line_t line[2]; /* [0] has the smaller j */
     run_t *column_run;    /* one per column */
     run_t row_run[2];     /* of line[0] and line[1] */
-    /* Only with gaps: which edges have been clipped, of line[0] and line[1], of the columns between them, and of the
+    /* Only with windows: which edges have been clipped, of line[0] and line[1], of the columns between them, and of the
      * eye's row, for the way down. */
     uint8_t *row_done[2], *column_done, *kept_done;
-    bands_line_t *outline; /* of the facet at hand: BANDS_LINES */
+    outline_line_t *outline; /* of the facet at hand: OUTLINE_LINES */
     int32_t lines;
-    bool present; /* it has a facet in the cell at hand */
+    bool present;         /* it has a facet in the cell at hand */
+    windows_span_t *span; /* several surfaces: of that facet */
+    int32_t spans;
+    int8_t below;              /* seen, if the facet may touch the point right below the eye */
+    uint8_t near_new, far_new; /* of its sides: bit k for side k (sides.h) */
 } layer_t;
 
 typedef struct sweep {
@@ -38,10 +42,7 @@ typedef struct sweep {
     layer_t *layer;
     int32_t layers;
     enum facet_kind last; /* of the corner facet before */
-    bands_t local;        /* cells.c: the other surfaces' facets in the cell at hand */
-    int32_t *local_pool;
-    size_t local_words;
-    shade_t *shade; /* what they hide of a vertical edge: two for each */
+    shade_t *shade;       /* what other surfaces hide of a vertical edge: two for each */
     int turn;
     int64_t facets;
     size_t fixed; /* bytes of lent memory before the horizons */
@@ -51,8 +52,8 @@ typedef struct sweep {
  * is the eye's own, none of its lines has been swept. */
 typedef int (*sweep_row_t)(sweep_t *s, int far, bool fresh);
 
-/* Memory for `layers` surfaces of nx columns, with gaps or holes, without horizons, at most. */
-size_t sweep_bytes(int32_t nx, int32_t layers, bool gaps);
+/* Memory for `layers` surfaces of nx columns, without horizons, at most; windows: for them or for several. */
+size_t sweep_bytes(int32_t nx, int32_t layers, bool windows);
 
 /* Prepares a sweep over n surfaces on the same points (x, y) in job's memory.
  * turn: 0 both horizons in one sweep; 1 the upper one now, -1 the lower one now, having had the upper one. A surface of

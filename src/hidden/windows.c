@@ -38,7 +38,7 @@ bool windows_any(const windows_t *w, int32_t a0, int32_t a1, int32_t low, int32_
     return false;
 }
 
-static bool same_line(const bands_line_t *s, const bands_line_t *t) {
+static bool same_line(const outline_line_t *s, const outline_line_t *t) {
     return envelope_same(s->p, t->p) && envelope_same(s->q, t->q);
 }
 
@@ -62,7 +62,7 @@ static bool join(windows_t *w, int32_t bin, const int32_t *list, const window_t 
     return false;
 }
 
-int windows_insert(windows_t *w, int32_t a0, int32_t a1, const bands_line_t *lo, const bands_line_t *hi) {
+int windows_insert(windows_t *w, int32_t a0, int32_t a1, const outline_line_t *lo, const outline_line_t *hi) {
     while (a0 < a1) {
         const int32_t bin = windows_bin(w, a0);
         const int64_t border = (((int64_t)bin + 1) << w->shift) - (INT64_C(1) << 30);
@@ -92,7 +92,7 @@ int windows_insert(windows_t *w, int32_t a0, int32_t a1, const bands_line_t *lo,
 }
 
 /* Opens a window over [a0, a1] where hi is above lo by more than the noise at one end at least. */
-static int open_between(windows_t *w, int32_t a0, int32_t a1, const bands_line_t *lo, const bands_line_t *hi) {
+static int open_between(windows_t *w, int32_t a0, int32_t a1, const outline_line_t *lo, const outline_line_t *hi) {
     const int64_t d0 = (int64_t)windows_line_at(hi, a0) - windows_line_at(lo, a0);
     const int64_t d1 = (int64_t)windows_line_at(hi, a1) - windows_line_at(lo, a1);
     if (d0 <= ENVELOPE_NOISE && d1 <= ENVELOPE_NOISE) return 0;
@@ -101,14 +101,14 @@ static int open_between(windows_t *w, int32_t a0, int32_t a1, const bands_line_t
 }
 
 int windows_open(windows_t *w, envelope_t *h, pencil_t p, pencil_t q, bool lower) {
-    const bands_line_t edge = lower ? (bands_line_t){{p.a, -p.w}, {q.a, -q.w}} : (bands_line_t){p, q};
+    const outline_line_t edge = lower ? (outline_line_t){{p.a, -p.w}, {q.a, -q.w}} : (outline_line_t){p, q};
     envelope_seek(h, p.a);
     pencil_t v = h->l[-1];
     int err = 0;
     for (const pencil_t *r = h->r; v.a < q.a && err == 0; v = *r++) {
         const int32_t a0 = pencil_max(v.a, p.a), a1 = pencil_min(r->a, q.a);
         if (a0 >= a1 || v.w == ENVELOPE_FLOOR || r->w == ENVELOPE_FLOOR) continue;
-        const bands_line_t old = lower ? (bands_line_t){{v.a, -v.w}, {r->a, -r->w}} : (bands_line_t){v, *r};
+        const outline_line_t old = lower ? (outline_line_t){{v.a, -v.w}, {r->a, -r->w}} : (outline_line_t){v, *r};
         err = lower ? open_between(w, a0, a1, &edge, &old) : open_between(w, a0, a1, &old, &edge);
     }
     return err;
@@ -145,29 +145,29 @@ static int64_t off(int32_t v, int32_t line) {
     return d > ENVELOPE_NOISE || d < -ENVELOPE_NOISE ? d : 0;
 }
 
-/* The part of [s, t] in which the edge is inside window v; false if none. */
-static bool inside(const window_t *v, const bands_line_t *edge, int32_t s, int32_t t, windows_part_t *out) {
+/* The part of [s, t] in which the edge is between two lines; open: and off them. False if none. */
+static bool inside(const outline_line_t *lo, const outline_line_t *hi, const outline_line_t *edge, int32_t s, int32_t t,
+                   bool open, windows_part_t *out) {
     const int32_t e0 = windows_line_at(edge, s), e1 = windows_line_at(edge, t);
-    const int64_t over[2] = {off(e0, windows_line_at(&v->lo, s)), off(e1, windows_line_at(&v->lo, t))};
-    const int64_t under[2] = {-off(e0, windows_line_at(&v->hi, s)), -off(e1, windows_line_at(&v->hi, t))};
-    if ((over[0] <= 0 && over[1] <= 0) || (under[0] <= 0 && under[1] <= 0)) return false;
+    const int64_t over[2] = {off(e0, windows_line_at(lo, s)), off(e1, windows_line_at(lo, t))};
+    const int64_t under[2] = {-off(e0, windows_line_at(hi, s)), -off(e1, windows_line_at(hi, t))};
     *out = (windows_part_t){0, ONE_Q30};
     for (int k = 0; k < 2; k++) {
         const int64_t d0 = k ? under[0] : over[0], d1 = k ? under[1] : over[1];
+        if (d0 <= 0 && d1 <= 0 && (open || d0 < 0 || d1 < 0)) return false;
         if (d0 < 0) out->from_q30 = pencil_max(out->from_q30, at_zero(d0, d1));
         if (d1 < 0) out->to_q30 = pencil_min(out->to_q30, at_zero(d0, d1));
     }
     return out->from_q30 < out->to_q30;
 }
 
-/* Adds the part of an edge that is in window v, if any. */
-static int32_t clip_one(const window_t *v, const bands_line_t *edge, windows_part_t part[WINDOWS_PARTS], int32_t n) {
+int32_t windows_add_between(const outline_line_t *lo, const outline_line_t *hi, int32_t a0, int32_t a1,
+                            const outline_line_t *edge, bool open, windows_part_t part[WINDOWS_PARTS], int32_t n) {
     const pencil_t p = edge->p, q = edge->q;
-    const int32_t s = pencil_max(p.a, v->a0), t = pencil_min(q.a, v->a1);
+    const int32_t s = pencil_max(p.a, a0), t = pencil_min(q.a, a1);
     const uint32_t run = (uint32_t)(q.a - p.a);
     windows_part_t in;
-    if (s >= t || v->low > pencil_max(p.w, q.w) || v->high < pencil_min(p.w, q.w)) return n;
-    if (!inside(v, edge, s, t, &in)) return n;
+    if (s >= t || !inside(lo, hi, edge, s, t, open, &in)) return n;
     const int32_t f0 = s == p.a ? 0 : (int32_t)pencil_fraction((uint32_t)(s - p.a), run);
     const int32_t f1 = t == q.a ? ONE_Q30 : (int32_t)pencil_fraction((uint32_t)(t - p.a), run);
     const int32_t from = in.from_q30 == 0 ? f0 : f0 + (int32_t)(((int64_t)(f1 - f0) * in.from_q30) >> 30);
@@ -175,9 +175,16 @@ static int32_t clip_one(const window_t *v, const bands_line_t *edge, windows_par
     return from < to ? windows_add_part(part, n, (windows_part_t){from, to}) : n;
 }
 
+/* Adds the part of an edge that is in window v, if any. */
+static int32_t clip_one(const window_t *v, const outline_line_t *edge, windows_part_t part[WINDOWS_PARTS], int32_t n) {
+    const pencil_t p = edge->p, q = edge->q;
+    if (v->low > pencil_max(p.w, q.w) || v->high < pencil_min(p.w, q.w)) return n;
+    return windows_add_between(&v->lo, &v->hi, v->a0, v->a1, edge, true, part, n);
+}
+
 int32_t windows_clip(const windows_t *w, pencil_t p, pencil_t q, windows_part_t part[WINDOWS_PARTS]) {
     const int32_t low = pencil_min(p.w, q.w), high = pencil_max(p.w, q.w), units = pencil_max(q.a - p.a, high - low);
-    const bands_line_t edge = {p, q};
+    const outline_line_t edge = {p, q};
     int32_t n = 0, kept = 0;
     if (w->present == 0) return 0;
     for (int32_t b = windows_bin(w, p.a), last = windows_bin(w, q.a - 1); b <= last; b++) {

@@ -1,4 +1,4 @@
-/* windows.h - what of a band between two horizons is not covered: for one surface with holes.
+/* windows.h - what of a band between two horizons is not covered: for surfaces with holes, and for several surfaces.
  *
  * In a vertical plane through the eye the surface seen so far lies within one interval, between a lower and an upper
  * horizon (horizons.h); without holes it covers all of it. A facet behind a hole leaves a window between the horizon
@@ -20,11 +20,12 @@
 #ifndef WINDOWS_H
 #define WINDOWS_H
 
-#include "hidden/bands.h"
+#include "hidden/envelope.h"
+#include "hidden/outline.h"
 
 typedef struct window {
     int32_t a0, a1;
-    bands_line_t lo, hi;
+    outline_line_t lo, hi;
     int32_t low, high; /* no part of it is lower or higher */
     int32_t next;      /* of its bin, or of the free ones; -1: none */
 } window_t;
@@ -71,17 +72,31 @@ int32_t windows_clip_vertical(const windows_t *w, int32_t x, int32_t low, int32_
 /* Adds a part to n sorted ones, in its place; parts that touch become one. Returns how many there are then. */
 int32_t windows_add_part(windows_part_t part[WINDOWS_PARTS], int32_t n, windows_part_t v);
 
+/* Adds the part of an edge, edge.p.a < edge.q.a, that is between two lines over [a0, a1]. open: what lies on one of
+ * them is not. */
+int32_t windows_add_between(const outline_line_t *lo, const outline_line_t *hi, int32_t a0, int32_t a1,
+                            const outline_line_t *edge, bool open, windows_part_t part[WINDOWS_PARTS], int32_t n);
+
 /* The lowest and the highest of a facet's lines between two abscissae where lines end; the same where there is one. */
 typedef struct windows_span {
     int32_t a0, a1;
-    const bands_line_t *lo, *hi;
+    const outline_line_t *lo, *hi;
+    int32_t low, high; /* no part of either is lower or higher */
+    bool cross;        /* they change places once: a twisted facet */
 } windows_span_t;
 
-/* From left to right; abscissae without a line are left out. Returns how many. */
-int32_t windows_spans(const bands_line_t *line, int32_t n, windows_span_t span[2 * BANDS_LINES]);
+/* The lines make a ring, so there are hardly more spans than lines. */
+#define WINDOWS_SPANS (OUTLINE_LINES + 8)
 
-/* Closes what a facet covers: over each abscissa from the lowest to the highest of its lines, as bands_add has it.
- * Returns 0 or ERR_FULL. */
-int windows_close(windows_t *w, const bands_line_t *line, int32_t n, int below);
+/* A facet's spans from left to right; abscissae without a line are left out. Returns how many. */
+int32_t windows_spans(const outline_line_t *line, int32_t n, windows_span_t span[WINDOWS_SPANS]);
+
+/* What of an edge a facet hides, added to n parts; below as in windows_close, open as above. */
+int32_t windows_behind(const windows_span_t *span, int32_t spans, int below, const outline_line_t *edge, bool open,
+                       windows_part_t part[WINDOWS_PARTS], int32_t n);
+
+/* Closes what a facet covers: over each abscissa from the lowest to the highest of its lines; where there is only one,
+ * from it down to the floor (below > 0), up to the ceiling (below < 0), or nothing (0). Returns 0 or ERR_FULL. */
+int windows_close(windows_t *w, const windows_span_t *span, int32_t spans, int below);
 
 #endif

@@ -5,12 +5,12 @@
 /* The facet over [a0, a1]: all between two lines that do not cross there. */
 typedef struct shutter {
     int32_t a0, a1;
-    bands_line_t lo, hi;
+    outline_line_t lo, hi;
     int32_t low, high;
 } shutter_t;
 
 /* Enters the abscissa where lines s and t cross between the first and the last of the sorted cuts. */
-static int32_t add_cut(int32_t cut[6], int32_t n, const bands_line_t *s, const bands_line_t *t) {
+static int32_t add_cut(int32_t cut[6], int32_t n, const outline_line_t *s, const outline_line_t *t) {
     const int32_t a0 = cut[0], a1 = cut[n - 1];
     const int64_t d0 = (int64_t)windows_line_at(s, a0) - windows_line_at(t, a0);
     const int64_t d1 = (int64_t)windows_line_at(s, a1) - windows_line_at(t, a1);
@@ -25,7 +25,7 @@ static int32_t add_cut(int32_t cut[6], int32_t n, const bands_line_t *s, const b
 }
 
 /* Twice the height of a line's middle over [a0, a1]. */
-static int64_t level(const bands_line_t *s, int32_t a0, int32_t a1) {
+static int64_t level(const outline_line_t *s, int32_t a0, int32_t a1) {
     return (int64_t)windows_line_at(s, a0) + windows_line_at(s, a1);
 }
 
@@ -78,34 +78,21 @@ static int close_list(windows_t *w, int32_t *list, const shutter_t *t) {
     return 0;
 }
 
-static int close_between(windows_t *w, int32_t a0, int32_t a1, const bands_line_t *lo, const bands_line_t *hi) {
-    const int32_t lo0 = windows_line_at(lo, a0), lo1 = windows_line_at(lo, a1);
-    const int32_t hi0 = windows_line_at(hi, a0), hi1 = windows_line_at(hi, a1);
-    const shutter_t t = {a0, a1, *lo, *hi, pencil_min(lo0, lo1), pencil_max(hi0, hi1)};
-    for (int32_t b = windows_bin(w, a0), last = windows_bin(w, a1 - 1); b <= last; b++) {
-        const windows_lists_t lists = windows_lists(w, b, t.low, t.high);
+static int close_between(windows_t *w, const shutter_t *t) {
+    for (int32_t b = windows_bin(w, t->a0), last = windows_bin(w, t->a1 - 1); b <= last; b++) {
+        const windows_lists_t lists = windows_lists(w, b, t->low, t->high);
         for (int32_t l = 0; l <= lists.last; l = windows_next_list(&lists, l)) {
-            int err = close_list(w, &lists.of[l], &t);
+            if (lists.of[l] < 0) continue;
+            int err = close_list(w, &lists.of[l], t);
             if (err != 0) return err;
         }
     }
     return 0;
 }
 
-/* Closes between two lines over [a0, a1] that may cross once. */
-static int close_pair(windows_t *w, int32_t a0, int32_t a1, const bands_line_t *s, const bands_line_t *t) {
-    int32_t cut[6] = {a0, a1};
-    const int32_t n = add_cut(cut, 2, s, t);
-    for (int32_t k = 0; k + 1 < n; k++) {
-        const bool up = level(s, cut[k], cut[k + 1]) < level(t, cut[k], cut[k + 1]);
-        int err = close_between(w, cut[k], cut[k + 1], up ? s : t, up ? t : s);
-        if (err != 0) return err;
-    }
-    return 0;
-}
-
-int32_t windows_spans(const bands_line_t *line, int32_t n, windows_span_t span[2 * BANDS_LINES]) {
-    int32_t cut[2 * BANDS_LINES], cuts = 0, spans = 0;
+/* The abscissae where lines end, sorted. */
+static int32_t find_ends(const outline_line_t *line, int32_t n, int32_t cut[2 * OUTLINE_LINES]) {
+    int32_t cuts = 0;
     for (int32_t k = 0; k < n; k++) { /* sorted insertion: there are few */
         for (int e = 0; e < 2; e++) {
             int32_t a = e ? line[k].q.a : line[k].p.a, at = cuts;
@@ -115,31 +102,74 @@ int32_t windows_spans(const bands_line_t *line, int32_t n, windows_span_t span[2
             cut[at] = a;
         }
     }
-    for (int32_t c = 0; c + 1 < cuts; c++) {
+    return cuts;
+}
+
+int32_t windows_spans(const outline_line_t *line, int32_t n, windows_span_t span[WINDOWS_SPANS]) {
+    int32_t cut[2 * OUTLINE_LINES], spans = 0;
+    const int32_t cuts = find_ends(line, n, cut);
+    for (int32_t c = 0; c + 1 < cuts && spans < WINDOWS_SPANS; c++) {
         windows_span_t *v = &span[spans];
+        int32_t lo[2] = {0, 0}, hi[2] = {0, 0};
         *v = (windows_span_t){.a0 = cut[c], .a1 = cut[c + 1]};
         for (int32_t k = 0; k < n; k++) {
-            const bands_line_t *s = &line[k];
+            const outline_line_t *s = &line[k];
             if (s->p.a > v->a0 || s->q.a < v->a1) continue;
-            if (v->lo == NULL || level(s, v->a0, v->a1) < level(v->lo, v->a0, v->a1)) v->lo = s;
-            if (v->hi == NULL || level(s, v->a0, v->a1) >= level(v->hi, v->a0, v->a1)) v->hi = s;
+            const int32_t w0 = windows_line_at(s, v->a0), w1 = windows_line_at(s, v->a1);
+            if (v->lo == NULL || (int64_t)w0 + w1 < (int64_t)lo[0] + lo[1]) v->lo = s, lo[0] = w0, lo[1] = w1;
+            if (v->hi == NULL || (int64_t)w0 + w1 >= (int64_t)hi[0] + hi[1]) v->hi = s, hi[0] = w0, hi[1] = w1;
         }
+        v->low = pencil_min(pencil_min(lo[0], lo[1]), pencil_min(hi[0], hi[1]));
+        v->high = pencil_max(pencil_max(lo[0], lo[1]), pencil_max(hi[0], hi[1]));
+        v->cross = lo[0] > hi[0] || lo[1] > hi[1];
         spans += v->lo != NULL;
     }
     return spans;
 }
 
-int windows_close(windows_t *w, const bands_line_t *line, int32_t n, int below) {
-    windows_span_t span[2 * BANDS_LINES];
-    if (w->present == 0) return 0;
-    const int32_t spans = windows_spans(line, n, span);
-    int err = 0;
-    for (int32_t k = 0; k < spans && err == 0; k++) {
-        const windows_span_t *v = &span[k];
+/* A span as two lines that do not cross over [a0, a1]: parts 0 and 1 to the left and right of where they cross. False
+ * if there is no such part. */
+static bool part_of_span(const windows_span_t *v, int below, int part, shutter_t *t) {
+    *t = (shutter_t){v->a0, v->a1, *v->lo, *v->hi, v->low, v->high};
+    if (v->lo == v->hi) { /* down or up from a single line */
+        outline_line_t *end = below > 0 ? &t->lo : &t->hi;
         const int32_t limit = below > 0 ? ENVELOPE_FLOOR : ENVELOPE_LIMIT;
-        const bands_line_t end = {{v->a0, limit}, {v->a1, limit}};
-        if (v->lo == v->hi && below == 0) continue;
-        err = close_pair(w, v->a0, v->a1, v->lo, v->lo == v->hi ? &end : v->hi);
+        *end = (outline_line_t){{v->a0, limit}, {v->a1, limit}};
+        *(below > 0 ? &t->low : &t->high) = limit;
+        return below != 0 && part == 0;
     }
-    return err;
+    if (!v->cross) return part == 0;
+    const int64_t d0 = (int64_t)windows_line_at(v->lo, v->a0) - windows_line_at(v->hi, v->a0);
+    const int64_t d1 = (int64_t)windows_line_at(v->lo, v->a1) - windows_line_at(v->hi, v->a1);
+    *(part == 0 ? &t->a1 : &t->a0) = windows_crossing(v->a0, v->a1, d0, d1);
+    if ((part == 0 ? d0 : d1) > 0) t->lo = *v->hi, t->hi = *v->lo;
+    return t->a0 < t->a1;
+}
+
+int windows_close(windows_t *w, const windows_span_t *span, int32_t spans, int below) {
+    for (int32_t k = 0; k < spans && w->present > 0; k++) {
+        for (int part = 0; part < 2; part++) {
+            shutter_t t;
+            if (!part_of_span(&span[k], below, part, &t)) continue;
+            int err = close_between(w, &t);
+            if (err != 0) return err;
+        }
+    }
+    return 0;
+}
+
+int32_t windows_behind(const windows_span_t *span, int32_t spans, int below, const outline_line_t *edge, bool open,
+                       windows_part_t part[WINDOWS_PARTS], int32_t n) {
+    const int32_t low = pencil_min(edge->p.w, edge->q.w), high = pencil_max(edge->p.w, edge->q.w);
+    for (int32_t k = 0; k < spans; k++) {
+        const windows_span_t *v = &span[k];
+        if (v->a1 <= edge->p.a || v->a0 >= edge->q.a) continue;
+        if (v->lo != v->hi && (v->low > high + ENVELOPE_NOISE || v->high < low - ENVELOPE_NOISE)) continue;
+        for (int half = 0; half < 2; half++) {
+            shutter_t t;
+            if (part_of_span(v, below, half, &t))
+                n = windows_add_between(&t.lo, &t.hi, t.a0, t.a1, edge, open, part, n);
+        }
+    }
+    return n;
 }

@@ -39,7 +39,7 @@ static inline int32_t *windows_list_of(const windows_t *w, int32_t bin, int32_t 
 }
 
 /* The ordinate of a line at x, within its range. */
-static inline int32_t windows_line_at(const bands_line_t *s, int32_t x) {
+static inline int32_t windows_line_at(const outline_line_t *s, int32_t x) {
     return pencil_ordinate(s->p, s->q, x);
 }
 
@@ -50,6 +50,6 @@ static inline int32_t windows_crossing(int32_t a0, int32_t a1, int64_t d0, int64
 }
 
 /* Adds the window between lo and hi over [a0, a1], bin by bin, unless it is too low to show anything. */
-int windows_insert(windows_t *w, int32_t a0, int32_t a1, const bands_line_t *lo, const bands_line_t *hi);
+int windows_insert(windows_t *w, int32_t a0, int32_t a1, const outline_line_t *lo, const outline_line_t *hi);
 
 #endif

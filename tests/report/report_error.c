@@ -123,8 +123,8 @@ static void by_bits(const char *dir, int n, int every) {
         "\n![error against bits](lattice.svg)\n![error against time](pareto.svg)\n\n"
         "**Shipped: %d bits**, all that 32-bit words with products of 64 hold. Fewer would be no faster, as the times "
         "show: a word is a word; a vertex would be smaller only with 16 bits in all, which leave no bit below a step, "
-        "and there ink goes missing by hundreds of steps. Up to 4 bits the cover with gaps (bands) still loses ends; "
-        "from 8 on nothing is wrong by more than a fraction of a step. The rest is room for lines that are cut a "
+        "and there ink goes missing by hundreds of steps; from 8 on nothing is wrong by more than a fraction of a "
+        "step. The rest is room for lines that are cut a "
         "thousand times, each time rounded, and for scenes that fill only a part of the lattice.\n",
         LATTICE_SHIPPED);
     fclose(out);
@@ -179,11 +179,9 @@ static void by_size(const char *dir, bool quick) {
         "\nWorst of all: %.2f steps missing, %.2f false, an end displaced by %.2f. Of surfaces with 100 points a side "
         "and more some lines are judged, of smaller ones all.\n\n**Shipped as it is**, because the time per facet of "
         "the perimeter and of the "
-        "horizon does not grow with the grid, and errors do not either. The cover with gaps (bands) is the weak one: "
-        "each "
-        "small hole in a smooth surface stays a gap in the cover for all that lies behind, so time and memory per "
-        "facet "
-        "grow; it is taken only where there are holes.\n\n![time against size](sizes.svg)\n",
+        "horizon does not grow with the grid, and errors do not either. Holes leave windows between the horizons, a "
+        "few "
+        "for each vertex of their rims: time and memory go with the rims.\n\n![time against size](sizes.svg)\n",
         steps(all.missing_mm), steps(all.false_mm), all.end_steps);
     fclose(out);
     fclose(times);

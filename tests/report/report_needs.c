@@ -117,10 +117,9 @@ int main(int argc, char **argv) {
             subject_free(&u);
         }
     fclose(out);
-    printf(
-        "\nA scene without holes needs two rows and its horizons: %.0f to %.0f times fewer products than modelling "
-        "every facet, and the ratio grows with the grid, as the pairs do. Holes need the cover with gaps, which is the "
-        "only case that takes it.\n",
-        least, most);
+    printf("\nA scene without holes needs two rows and its horizons: %.0f to %.0f times fewer products than modelling "
+           "every facet, and the ratio grows with the grid, as the pairs do. Holes need windows, which is the "
+           "only case that takes it.\n",
+           least, most);
     return 0;
 }

@@ -9,7 +9,7 @@
 #include "hidden/perimeter.h"
 #include "tests/report/lattice.h"
 
-const char *const subject_kernel_name[KERNELS] = {"perimeter", "bands", "horizon"};
+const char *const subject_kernel_name[KERNELS] = {"perimeter", "windows", "horizon"};
 const char *const subject_family_name[FAMILIES] = {"smooth", "random", "cliffs", "grazing", "far"};
 
 #define RUNS 3

@@ -224,7 +224,7 @@ static void test_small_memory(void **state) {
     assert_true(fix.steps[0] > 10000);
     assert_int_equal(fix.console.stats.starved, 0);
     fix_say("memory\r", SECOND);
-    HEARD("picture: hiding 4888 of 6200\r\n");
+    HEARD("picture: hiding 4904 of 6200\r\n");
     HEARD("machine waited for the drawing: 0\r\n");
     printf("# 60 x 60 smooth surface in 6200 bytes: hiding took %zu, %lld strokes, pool full %lld times\n",
            fix.console.picture.stats.kernel_bytes, (long long)fix.console.picture.stats.path.strokes,

@@ -26,11 +26,11 @@ static int32_t below(int32_t n) {
 #define HEIGHT 4000
 static unsigned char open[COLUMNS][HEIGHT];
 
-static int32_t at(const bands_line_t *s, int32_t x) {
+static int32_t at(const outline_line_t *s, int32_t x) {
     return pencil_ordinate(s->p, s->q, x);
 }
 
-static void mark(const bands_line_t *lo, const bands_line_t *hi, unsigned char value) {
+static void mark(const outline_line_t *lo, const outline_line_t *hi, unsigned char value) {
     for (int32_t c = 0; c < COLUMNS; c++) {
         const int32_t x = c * WIDTH + WIDTH / 2 + 1;
         if (x < lo->p.a || x > lo->q.a || x < hi->p.a || x > hi->q.a) continue;
@@ -46,15 +46,20 @@ static bool is_clear(int32_t c, int32_t w) {
     return true;
 }
 
-static bands_line_t random_line(int32_t a0, int32_t a1) {
-    return (bands_line_t){{a0 & ~1, below(HEIGHT)}, {a1 & ~1, below(HEIGHT)}}; /* columns are at odd abscissae */
+static outline_line_t random_line(int32_t a0, int32_t a1) {
+    return (outline_line_t){{a0 & ~1, below(HEIGHT)}, {a1 & ~1, below(HEIGHT)}}; /* columns are at odd abscissae */
+}
+
+static int close_facet(windows_t *w, const outline_line_t *line, int32_t n, int down) {
+    windows_span_t span[WINDOWS_SPANS];
+    return windows_close(w, span, windows_spans(line, n, span), down);
 }
 
 static int judge(const windows_t *w) {
     int judged = 0;
     for (int k = 0; k < 40; k++) {
         const int32_t a0 = below(COLUMNS * WIDTH / 2) & ~1, a1 = (a0 + WIDTH + below(COLUMNS * WIDTH / 2 - WIDTH)) & ~1;
-        const bands_line_t e = random_line(a0, a1);
+        const outline_line_t e = random_line(a0, a1);
         windows_part_t part[WINDOWS_PARTS];
         const int32_t n = windows_clip(w, e.p, e.q, part);
         if (n == WINDOWS_PARTS) continue;
@@ -92,8 +97,8 @@ static void test_random(void **state) {
         assert_int_equal(windows_init(&w, COLUMNS, mem, sizeof mem), 0);
         assert_int_equal(envelope_init(&h, NULL, horizon, 64), 0);
         const bool lower = round & 1;
-        const bands_line_t ground = {{0, lower ? HEIGHT - 200 : 200}, {COLUMNS * WIDTH, lower ? HEIGHT - 300 : 300}};
-        const bands_line_t rim = random_line(below(800), COLUMNS * WIDTH - below(800));
+        const outline_line_t ground = {{0, lower ? HEIGHT - 200 : 200}, {COLUMNS * WIDTH, lower ? HEIGHT - 300 : 300}};
+        const outline_line_t rim = random_line(below(800), COLUMNS * WIDTH - below(800));
         const int sign = lower ? -1 : 1;
         envelope_clip(&h, (pencil_t){ground.p.a, sign * ground.p.w}, (pencil_t){ground.q.a, sign * ground.q.w}, NULL,
                       NULL, &count);
@@ -110,18 +115,18 @@ static void test_random(void **state) {
         for (int k = 0; k < 12; k++) {
             const int32_t a0 = below(COLUMNS * WIDTH - 2 * WIDTH),
                           a1 = a0 + WIDTH + below(COLUMNS * WIDTH - a0 - WIDTH);
-            const bands_line_t side[2] = {random_line(a0, a1), random_line(a0, a1)};
-            assert_int_equal(windows_close(&w, side, 2, 0), 0);
+            const outline_line_t side[2] = {random_line(a0, a1), random_line(a0, a1)};
+            assert_int_equal(close_facet(&w, side, 2, 0), 0);
             mark(&side[0], &side[1], 0);
             judged += judge(&w);
         }
-        const bands_line_t sill = random_line(0, COLUMNS * WIDTH);
-        const bands_line_t floor = {{0, -1}, {COLUMNS * WIDTH, -1}};
-        assert_int_equal(windows_close(&w, &sill, 1, 1), 0);
+        const outline_line_t sill = random_line(0, COLUMNS * WIDTH);
+        const outline_line_t floor = {{0, -1}, {COLUMNS * WIDTH, -1}};
+        assert_int_equal(close_facet(&w, &sill, 1, 1), 0);
         mark(&floor, &sill, 0);
         judged += judge(&w);
-        const bands_line_t all[2] = {{{0, -1}, {COLUMNS * WIDTH, -1}}, {{0, HEIGHT}, {COLUMNS * WIDTH, HEIGHT}}};
-        assert_int_equal(windows_close(&w, all, 2, 0), 0);
+        const outline_line_t all[2] = {{{0, -1}, {COLUMNS * WIDTH, -1}}, {{0, HEIGHT}, {COLUMNS * WIDTH, HEIGHT}}};
+        assert_int_equal(close_facet(&w, all, 2, 0), 0);
         assert_int_equal(w.present, 0);
     }
     print_message("# windows: %d points of lines judged\n", judged);
@@ -146,9 +151,9 @@ static void test_joins(void **state) {
         const int32_t corner = 1000 + row * 4999;
         for (int k = 0; k < 2; k++) {
             const int32_t a0 = k ? corner : 0, a1 = k ? 1000000 : corner;
-            const bands_line_t side[2] = {{{a0, row * 1000 - 1000}, {a1, row * 1000 - 1000}},
-                                          {{a0, row * 1000}, {a1, row * 1000}}};
-            assert_int_equal(windows_close(&w, side, 2, 0), 0);
+            const outline_line_t side[2] = {{{a0, row * 1000 - 1000}, {a1, row * 1000 - 1000}},
+                                            {{a0, row * 1000}, {a1, row * 1000}}};
+            assert_int_equal(close_facet(&w, side, 2, 0), 0);
         }
         assert_true(w.present <= before + 4);
     }

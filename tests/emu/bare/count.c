@@ -15,7 +15,7 @@
 #define COUNT_POINTS 40 /* a side */
 #endif
 
-static const char *const kernel_name[] = {"perimeter", "bands", "horizon"};
+static const char *const kernel_name[] = {"perimeter", "windows", "horizon"};
 static const char *const family_name[] = {"smooth", "random", "cliffs", "grazing", "far"};
 static integer_scene_t scene;
 
