@@ -17,7 +17,7 @@
  * its end. Gaps that overlap are one. With a reach (halo_cut) edges need not cross: the halo of an edge also takes from
  * others what is less than W beside it or beyond its end (the paper's section 5). The order is then that at the points
  * where the two are closest. It does not reach beyond an end where another edge begins, or a finely cut curve would be
- * eaten by its own halo.
+ * eaten by its own halo; and edges of one plane leave each other alone, unless nearly parallel.
  *
  * The result depends on neither the order of the edges nor their direction (but for the rounding of a gap's end, 2^-28
  * of an edge).

@@ -135,8 +135,18 @@ static bool goes_on(const halo_t *h, uint32_t edge, int64_t at_q30) {
            (at_q30 == ONE_Q30 && (h->joined[edge] & HALO_JOINED_Q));
 }
 
-void halo_take_near(halo_t *h, uint32_t i, uint32_t j) {
+/* Do they lie in one plane? Where their lines cross, they touch then, and one is nearer only as far as the plane is
+ * seen aslant. Parallel edges always do, and are no such case. */
+static bool in_one_plane(const halo_edge_t *a, const halo_edge_t *b, const halo_meeting_t *m, int32_t contact) {
+    int half_a, half_b;
+    const uint32_t la = length_of(a, &half_a), lb = length_of(b, &half_b);
+    if ((uint64_t)m->of < wide_mul_u32(la >> half_a, lb >> half_b) / 8) return false;
+    return order(a, b, m, contact) == 0;
+}
+
+void halo_take_near(halo_t *h, uint32_t i, uint32_t j, const halo_meeting_t *m) {
     const halo_edge_t *a = &h->edge[i], *b = &h->edge[j];
+    if (m->of != 0 && in_one_plane(a, b, m, h->contact)) return;
     /* Edges that do not cross are closest at an end of one of them, or, parallel, at several to a unit. Of those the
      * one with the greatest difference in depth counts. */
     const place_t place[4] = {place_of(a, false, b), place_of(a, true, b), place_of(b, false, a), place_of(b, true, a)};

@@ -34,7 +34,7 @@ static inline bool halo_crosses(const halo_edge_t *a, const halo_edge_t *b, halo
 void halo_take(halo_t *h, uint32_t i, uint32_t j, const halo_meeting_t *m);
 /* The same for edges that do not cross but come closer than h->reach. Needs to know which ends meet, so that a finely
  * cut curve is not eaten by its own halo: before, halo_join must have been called for all pairs. */
-void halo_take_near(halo_t *h, uint32_t i, uint32_t j);
+void halo_take_near(halo_t *h, uint32_t i, uint32_t j, const halo_meeting_t *m);
 /* Notes which ends of the two are one point in space. */
 void halo_join(halo_t *h, uint32_t i, uint32_t j);
 
@@ -43,7 +43,7 @@ static inline void halo_meet(halo_t *h, uint32_t i, uint32_t j) {
     if (halo_crosses(&h->edge[i], &h->edge[j], &m)) {
         halo_take(h, i, j, &m);
     } else if (h->joined != NULL) {
-        halo_take_near(h, i, j);
+        halo_take_near(h, i, j, &m);
     }
 }
 

@@ -149,10 +149,26 @@ static bool goes_on(const halo_edge_t *edge, int n, int e, int end) {
     return false;
 }
 
+/* Do two edges that are not nearly parallel lie in one plane, to the contact? 1 yes, 0 no, -1 too close to say. */
+static int one_plane(const halo_edge_t *a, const halo_edge_t *b, int32_t contact) {
+    const real ax = (real)a->q.x - a->p.x, ay = (real)a->q.y - a->p.y, az = (real)a->q.z - a->p.z;
+    const real bx = (real)b->q.x - b->p.x, by = (real)b->q.y - b->p.y, bz = (real)b->q.z - b->p.z;
+    const real x = (real)b->p.x - a->p.x, y = (real)b->p.y - a->p.y, z = (real)b->p.z - a->p.z;
+    const real of = fabsl(ax * by - ay * bx),
+               volume = fabsl(x * (ay * bz - az * by) + y * (az * bx - ax * bz) + z * (ax * by - ay * bx));
+    const real most = 2 * (real)contact * (of + fabsl(az) * changes(b) + fabsl(bz) * changes(a));
+    const real lengths = hypotl(ax, ay) * hypotl(bx, by), unsure = 10 + hypotl(ax, ay) + hypotl(bx, by);
+    if (of == 0 || 8 * of < lengths - unsure) return 0;
+    if (fabsl(volume - most) < 1e-12L * most) return -1;
+    if (volume > most) return 0;
+    return 8 * of > lengths + unsure ? 1 : -1;
+}
+
 /* The gaps of edge f because of edge k, not crossing, by the rule for ends; appended. */
 static int near_gap(const halo_edge_t *edge, int n, int f, int k, real width, int32_t contact, interval_t *gap) {
     interval_t g;
-    if (!clip(&edge[f], &edge[k], width, &g)) return 0;
+    const int plane = one_plane(&edge[f], &edge[k], contact);
+    if (plane == 1 || !clip(&edge[f], &edge[k], width, &g)) return 0;
     near_place_t p[4] = {place(&edge[f], &edge[k], 0), place(&edge[f], &edge[k], 1), place(&edge[k], &edge[f], 0),
                          place(&edge[k], &edge[f], 1)};
     real least = INFINITY;
@@ -171,7 +187,7 @@ static int near_gap(const halo_edge_t *edge, int n, int f, int k, real width, in
         no += !takes || !clear;
     }
     if (yes == 0) return 0;
-    g.open = no > 0;
+    g.open = no > 0 || plane < 0;
     *gap = g;
     return 1;
 }

@@ -197,6 +197,12 @@ static void test_ends(void **state) {
             check(&ink, 3, 1, 0., 1.);
         }
     }
+    start(); /* in one plane, z = 40000 y: the end before the other line is no nearer than it */
+    line(0, 0, 0, 100, 0, 0);
+    line(50, 0.5, 20000, 60, 20, 800000);
+    assert_int_equal(halo_cut(&halo, 2 * MM), 0);
+    drawn(&ink, 2);
+    assert_int_equal(ink.n, 2);
     start();
     for (int k = 0; k < 30; k++) line(k, k * k * .02, 4000 * k, k + 1, (k + 1) * (k + 1) * .02, 4000 * (k + 1));
     assert_int_equal(halo_cut(&halo, 3 * MM), 0);
