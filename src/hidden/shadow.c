@@ -41,15 +41,7 @@ static bool clip_by(clip_t *c, wide_t a, wide_t b, int sign_a, int sign_b) {
 }
 
 static wide_t plane_at(const shadow_plane_t *p, const solid_vertex_t *v) {
-#ifdef __SIZEOF_INT128__
-    wide_native_t sum =
-        (wide_native_t)p->n[0] * v->at[0] + (wide_native_t)p->n[1] * v->at[1] + (wide_native_t)p->n[2] * v->at[2];
-    return wide_sub((wide_t){(int64_t)(sum >> 64), (uint64_t)sum}, p->c);
-#else
-    wide_t sum = wide_mul_s64(p->n[0], v->at[0]);
-    sum = wide_add(sum, wide_mul_s64(p->n[1], v->at[1]));
-    return wide_sub(wide_add(sum, wide_mul_s64(p->n[2], v->at[2])), p->c);
-#endif
+    return wide_sub(wide_dot3(p->n, v->at), p->c);
 }
 
 /* Touching is not hidden. */
@@ -98,21 +90,10 @@ static wide_t minor(int32_t a, int64_t b, int32_t c, int64_t d) {
     return wide_sub(wide_mul_s64(b, a), wide_mul_s64(d, c));
 }
 
-/* w 2^80 times d 2^29. */
-static wide_t wide_times(wide_t w, int32_t d) {
-#ifdef __SIZEOF_INT128__
-    wide_native_t p = (wide_native_t)((wide_native_u_t)(uint64_t)w.hi << 64 | w.lo) * d;
-    return (wide_t){(int64_t)(p >> 64), (uint64_t)p};
-#else
-    wide_t high = wide_shl(wide_mul_s64(w.hi, d), 64);
-    wide_u_t low = wide_mul_u64(w.lo, ints_abs64(d));
-    wide_t product = {(int64_t)low.hi, low.lo};
-    return d < 0 ? wide_sub(high, product) : wide_add(high, product);
-#endif
-}
-
-static wide_t wide_dot(const wide_t n[3], solid_delta_t d) {
-    return wide_add(wide_add(wide_times(n[0], d.d[0]), wide_times(n[1], d.d[1])), wide_times(n[2], d.d[2]));
+/* n 2^80, d 2^28. */
+static wide_t dot(const wide_t n[3], solid_delta_t d) {
+    wide_t sum = wide_add(wide_times_s32(n[0], d.d[0]), wide_times_s32(n[1], d.d[1]));
+    return wide_add(sum, wide_times_s32(n[2], d.d[2]));
 }
 
 /* In the plane itself is inside: behind the outline, or behind the seam of two faces. */
@@ -124,7 +105,7 @@ static bool clip_by_outline(const shadows_t *s, const shadow_edge_t *e, const sh
     for (int k = 0; k < 3; k++) v[k] = eye->e[k] - p->at[k] * eye->w;
     const wide_t n[3] = {minor(u.d[1], v[2], u.d[2], v[1]), minor(u.d[2], v[0], u.d[0], v[2]),
                          minor(u.d[0], v[1], u.d[1], v[0])};
-    wide_t a = wide_dot(n, solid_sub(&vertex[line->v[0]], p)), b = wide_dot(n, solid_sub(&vertex[line->v[1]], p));
+    wide_t a = dot(n, solid_sub(&vertex[line->v[0]], p)), b = dot(n, solid_sub(&vertex[line->v[1]], p));
     int sign_a = wide_sign(a), sign_b = wide_sign(b);
     if (sign_a == 0 && sign_b == 0) return true;
     if (sign_a >= 0 && sign_b >= 0) return false;

@@ -144,6 +144,30 @@ static inline int wide_sign(wide_t a) {
     return a.hi < 0 ? -1 : (a.hi | (int64_t)(a.lo != 0)) != 0;
 }
 
+/* a * b modulo 2^128. */
+static inline wide_t wide_times_s32(wide_t a, int32_t b) {
+#ifdef __SIZEOF_INT128__
+    wide_native_u_t p = ((wide_native_u_t)(uint64_t)a.hi << 64 | a.lo) * (wide_native_u_t)b;
+    return (wide_t){(int64_t)(p >> 64), (uint64_t)p};
+#else
+    wide_t low = wide_mul_s64((int64_t)a.lo, b);
+    uint64_t high = (uint64_t)low.hi + (uint64_t)a.hi * (uint64_t)(int64_t)b;
+    /* as a signed operand, an upper half of a.lo counted 2^64 too little */
+    if (a.lo >> 63) high += (uint64_t)(int64_t)b;
+    return (wide_t){(int64_t)high, low.lo};
+#endif
+}
+
+/* a0 b0 + a1 b1 + a2 b2 modulo 2^128. */
+static inline wide_t wide_dot3(const int64_t a[3], const int32_t b[3]) {
+#ifdef __SIZEOF_INT128__
+    wide_native_t p = (wide_native_t)a[0] * b[0] + (wide_native_t)a[1] * b[1] + (wide_native_t)a[2] * b[2];
+    return (wide_t){(int64_t)(p >> 64), (uint64_t)p};
+#else
+    return wide_add(wide_add(wide_mul_s64(a[0], b[0]), wide_mul_s64(a[1], b[1])), wide_mul_s64(a[2], b[2]));
+#endif
+}
+
 /* The exact sign of a*d - b*c, any operands. */
 static inline int wide_det_sign(int64_t a, int64_t b, int64_t c, int64_t d) {
     return wide_cmp(wide_mul_s64(a, d), wide_mul_s64(b, c));

@@ -24,15 +24,7 @@ static inline solid_normal_t solid_cross(solid_delta_t a, solid_delta_t b) {
 }
 
 static inline wide_t solid_dot(const solid_normal_t *n, solid_delta_t d) {
-#ifdef __SIZEOF_INT128__
-    wide_native_t p =
-        (wide_native_t)n->n[0] * d.d[0] + (wide_native_t)n->n[1] * d.d[1] + (wide_native_t)n->n[2] * d.d[2];
-    return (wide_t){(int64_t)(p >> 64), (uint64_t)p};
-#else
-    wide_t p = wide_mul_s64(n->n[0], d.d[0]);
-    p = wide_add(p, wide_mul_s64(n->n[1], d.d[1]));
-    return wide_add(p, wide_mul_s64(n->n[2], d.d[2]));
-#endif
+    return wide_dot3(n->n, d.d);
 }
 
 static inline uint64_t solid_abs(int64_t a) {

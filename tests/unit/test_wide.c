@@ -139,6 +139,31 @@ static void determinant_signs_are_exact(void **state) {
     mpz_clears(p, q, NULL);
 }
 
+static void products_of_more_are_exact_modulo_2_128(void **state) {
+    (void)state;
+    mpz_t p, q, t;
+    mpz_inits(p, q, t, NULL);
+    for (int i = 0; i < EDGES * EDGES + RANDOM; i++) {
+        wide_t a = {operand(i, 1), (uint64_t)operand(i, EDGES)};
+        int64_t n[3] = {operand(i, 1), operand(i, EDGES), operand(i, 1)};
+        int32_t d[3] = {(int32_t)operand(i, EDGES), (int32_t)next(), (int32_t)operand(i, 1)};
+        set_wide(p, wide_times_s32(a, d[0]));
+        set_wide(q, a);
+        mpz_mul_si(q, q, d[0]);
+        mpz_sub(q, q, p);
+        assert_true(mpz_divisible_2exp_p(q, 128));
+        set_wide(p, wide_dot3(n, d));
+        mpz_set_si(q, 0);
+        for (int k = 0; k < 3; k++) {
+            mpz_set_si(t, (long)n[k]);
+            mpz_mul_si(t, t, d[k]);
+            mpz_add(q, q, t);
+        }
+        assert_int_equal(mpz_cmp(p, q), 0);
+    }
+    mpz_clears(p, q, t, NULL);
+}
+
 static void division_gives_quotient_and_remainder(void **state) {
     (void)state;
     mpz_t n, q, r;
@@ -162,6 +187,7 @@ int main(void) {
         cmocka_unit_test(products_are_exact),
         cmocka_unit_test(sums_shifts_and_comparisons_agree),
         cmocka_unit_test(determinant_signs_are_exact),
+        cmocka_unit_test(products_of_more_are_exact_modulo_2_128),
         cmocka_unit_test(division_gives_quotient_and_remainder),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
