@@ -57,8 +57,8 @@ static void show_hidden(text_t *t, const settings_t *set) {
                                        [HIDDEN_HALO] = "set hidden3d halo",
                                        [HIDDEN_AREA] = "set hidden3d area"};
     text_add(t, name[set->hidden]);
-    if (set->dashed) text_add(t, " dashed");
-    text_add(t, set->hidden == HIDDEN_HORIZON && set->horizon_infinite ? " infinite\n" : "\n");
+    if (set->hidden == HIDDEN_HORIZON && set->horizon_infinite) text_add(t, " infinite");
+    text_add(t, set->dashed ? " dashed\n" : "\n");
 }
 
 static void show_paper(text_t *t, const settings_t *set) {

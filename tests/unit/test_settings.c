@@ -204,6 +204,16 @@ static void hidden3d(void **state) {
     assert_int_equal(s->hidden, HIDDEN_PERIMETER);
     assert_int_equal(fixture_feed(f, "set hidden3d none"), 0);
     assert_int_equal(s->hidden, HIDDEN_NONE);
+    /* what show says is what set takes */
+    static const char *const words[] = {"perimeter", "horizon infinite", "convex dashed", "halo",
+                                        "area",      "perimeter dashed"};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        char line[80], shown[80];
+        snprintf(shown, sizeof shown, "set hidden3d %s\n", words[i]);
+        snprintf(line, sizeof line, "set hidden3d %s; show hidden3d", words[i]);
+        assert_int_equal(fixture_feed(f, line), 0);
+        assert_string_equal(f->out, shown);
+    }
 }
 
 static void titles(void **state) {
