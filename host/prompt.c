@@ -41,7 +41,7 @@ static volatile sig_atomic_t is_reading;
  * line, so leaving it half-way costs no more than that line's memory. */
 static void on_interrupt(int sig) {
     if (is_reading) siglongjmp(to_prompt, 1);
-    if (job_stop()) return;
+    if (job_stop()) return; /* NOLINT(bugprone-signal-handler): it reads and writes sig_atomic_t only */
     signal(sig, SIG_DFL);
     raise(sig);
 }

@@ -263,6 +263,8 @@ static __attribute__((noinline)) void kick_on(search_t *s) {
         while (s->todos > 0) cost -= settle(s, s->todo[--s->todos]);
         if (cost > 0) undo(s);
     }
+    s->todo = NULL;
+    s->journal = NULL;
 }
 
 void tour_improve(tour_t *t, int64_t operations) {

@@ -116,7 +116,7 @@ static int32_t clamp(int32_t v, int32_t max) {
 /* The cell of the place and the eight around it, where most searches end: as search_row, with everything that they have
  * in common computed once. */
 static void search_around(search_t *s) {
-    static const int8_t ORDER[9][2] = {{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+    static const int ORDER[9][2] = {{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
     near_t *g = s->g;
     uint32_t square[2][3];
     for (int by = -1; by <= 1; by++) {
