@@ -45,13 +45,18 @@ static int place_part(edges_t *e, int32_t from, int32_t to) {
         from = scale_q30(k->way_q30, from);
         to = scale_q30(k->way_q30, to);
     }
-    return add_lit(e, k->start_q30 + from, k->start_q30 + to);
+    from += k->start_q30, to += k->start_q30;
+    if (e->shades > 0) return add_lit(e, from, to);
+    if (from >= to) return 0;
+    const int64_t base = k->cell * INK_ONE;
+    return runs_add(&e->runs, k->run, k->family, k->line, base + from, base + to);
 }
 
 int edges_take_part(void *ctx, envelope_part_t part) {
     edges_t *e = ctx;
     int32_t from = part.from_q30;
     if (e->edge.quiet) return 0;
+    if (e->behinds == 0) return place_part(e, from, part.to_q30);
     for (int32_t k = 0; k < e->behinds && from < part.to_q30; k++) {
         const windows_part_t *b = &e->behind[k];
         if (b->to_q30 <= from) continue;
@@ -106,6 +111,12 @@ int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_
     return err;
 }
 
+/* The common case without a call more. */
+static inline int clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
+    if (e->cover == COVER_HORIZONS && e->chart.kind != CHART_VERTICAL) return horizons_clip(&e->horizons, p0, p1);
+    return edges_clip_line(e, p0, p1);
+}
+
 /* `across` is the edge's constant distance from the eye in CHART_AROUND: an edge that is several lines there is
  * vertical only if it passes under the eye. */
 static bool is_vertical(const edges_t *e, pencil_t p0, pencil_t p1, int32_t across) {
@@ -140,7 +151,7 @@ int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run) {
             e->edge.g1 = size32(c[i].p);
         }
     }
-    return edges_clip_line(e, p0, p1);
+    return clip_line(e, p0, p1);
 }
 
 int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i, run_t *run) {
@@ -162,5 +173,5 @@ int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next,
             e->edge.g1 = size32(line->dy);
         }
     }
-    return edges_clip_line(e, p0, p1);
+    return clip_line(e, p0, p1);
 }

@@ -24,13 +24,14 @@ static inline int32_t pencil_abs(int32_t v) {
     return v < 0 ? -v : v;
 }
 
-/* num / den rounded down; 0 <= num <= den. Good to 2^-29 at least; costs one 64-bit division. */
+/* num / den rounded down; 0 <= num <= den. Good to 2^-32 at least; costs one 64-bit division. */
 static inline uint32_t pencil_fraction(uint64_t num, uint64_t den) {
-    while (den >> 34 != 0) {
-        num >>= 4;
-        den >>= 4;
+    if (den >> 34 != 0) { /* num << 30 must fit */
+        const int by = 30 - __builtin_clzll(den);
+        num >>= by;
+        den >>= by;
     }
-    return den == 0 ? 0 : (uint32_t)((num << 30) / den); /* num < 2^34 */
+    return den == 0 ? 0 : (uint32_t)((num << 30) / den);
 }
 
 /* The ordinate at abscissa a of the line p-q, to nearest; p.a <= a <= q.a. One division unless a is at an end. */
