@@ -13,6 +13,7 @@
 
 #include "app/arena.h"
 #include "hidden/area.h"
+#include "hidden/hatch.h"
 #include "hidden/hidden.h"
 #include "lang/plot.h"
 #include "path/path.h"
@@ -90,7 +91,10 @@ typedef struct picture {
         struct {
             solid_t solid;
             solid_map_t solid_map;
+#if CONFIG_AREA
             area_stats_t area; /* of `set hidden3d area` */
+            hatch_t hatch;     /* lines[1] */
+#endif
         };
         struct {
             flat_axes_t axes;

@@ -2,7 +2,7 @@
 #include "app/picture_stages.h"
 
 #include "error.h"
-#include "hidden/area.h"
+#include "hidden/area_tone.h"
 #include "hidden/convex.h"
 #include "hidden/wires.h"
 #include "scene/surface_mesh.h"
@@ -107,13 +107,57 @@ static int build(picture_t *p) {
     return 0;
 }
 
+#if CONFIG_AREA
+static bool is_hatched(const settings_t *set) {
+    return set->hidden == HIDDEN_AREA && set->hatch_um > 0;
+}
+
+/* Hatch lines are another line space. */
+static void setup_hatch(picture_t *p) {
+    const settings_t *set = p->plot->settings;
+    num_t degrees = num_mul(num_from_i64(set->hatch_mdeg), num_from_decimal(1, -3));
+    hatch_setup(&p->hatch, &p->camera.window, degrees, (int32_t)((int64_t)set->hatch_um * LAT_PER_MM / 1000));
+    p->lines[1] = p->hatch.lines;
+    p->spaces = 2;
+}
+
+/* Runs that hatching adds, about. */
+static int64_t hatch_runs(const picture_t *p) {
+    return is_hatched(p->plot->settings) ? 32 * (int64_t)hatch_lines(&p->hatch) : 0;
+}
+
+static int draw_area(picture_t *p, const hidden_job_t *job) {
+    const settings_t *set = p->plot->settings;
+    area_tone_t tone = {&p->hatch, {{0}}, set->shadow};
+    for (int k = 0; k < 3; k++) tone.light[k] = num_from_i64(set->light_milli[k]);
+    return area_draw(&p->solid_map, is_hatched(set) ? &tone : NULL, 1, job, &p->stats.hidden, &p->area);
+}
+#else
+static bool is_hatched(const settings_t *set) {
+    (void)set;
+    return false;
+}
+static int64_t hatch_runs(const picture_t *p) {
+    (void)p;
+    return 0;
+}
+static void setup_hatch(picture_t *p) {
+    (void)p;
+}
+static int draw_area(picture_t *p, const hidden_job_t *job) {
+    (void)p, (void)job;
+    return ERR_UNSUPPORTED;
+}
+#endif
+
 int picture_solids(picture_t *p, const pen_sink_t *pen) {
     const settings_t *set = p->plot->settings;
     int err = build(p);
     if (err) return err;
+    if (is_hatched(set)) setup_hatch(p);
     size_t kernel_bytes = 0;
     void *kernel = set->hidden == HIDDEN_NONE ? NULL : picture_kernel_memory(p, &kernel_bytes);
-    err = picture_open(p, pen, 1, 4 * (int64_t)p->solid.ne);
+    err = picture_open(p, pen, 1, 4 * (int64_t)p->solid.ne + hatch_runs(p));
     if (err) return err;
     dash_t dash = {p->lines, p->cut.next};
     cut_t cut = {p->lines, dash_sink(&dash)};
@@ -124,7 +168,7 @@ int picture_solids(picture_t *p, const pen_sink_t *pen) {
     else if (set->hidden == HIDDEN_HALO)
         err = picture_halo_solids(p, &job);
     else if (set->hidden == HIDDEN_AREA)
-        err = CONFIG_AREA ? area_draw(&p->solid_map, &job, &p->stats.hidden, &p->area) : ERR_UNSUPPORTED;
+        err = draw_area(p, &job);
     else
         err = convex_draw(&p->solid_map, set->dashed ? &hidden : NULL, &job, &p->stats.hidden);
     p->stats.facets = p->solid.nf;

@@ -1,12 +1,15 @@
 /* area_draw.c - visible edges from visible polygons: where one ends in an edge of the scene, the edge is visible. */
 #include "hidden/area.h"
 #include "hidden/area_face.h"
+#include "hidden/area_tone.h"
 #include "hidden/intervals.h"
 
 #include "num/ints.h"
 
-/* Of the memory, to the parts of edges. */
-#define INTERVALS_SHARE 4
+/* Of the memory, in eighths: to the parts of lines, and with hatching to the toner; the sort gets the rest. */
+enum { SHARES = 8, INTERVALS_SHARES = 2, TONE_SHARES = 3 };
+/* The same for hatch lines, where shadows end at the border of a face only within what rounding leaves. */
+#define HATCH_LEAST_LAT (LAT_PER_MM / 10)
 /* Gaps up to this in an edge are closed and parts no longer left out (2^-5 lat on the finest lattice): where areas were
  * cut, edges have moved by about as much. */
 #define LEAST_LAT 64
@@ -16,6 +19,9 @@ typedef struct edge_ink {
     intervals_t parts;
     const ink_sink_t *sink;
     hidden_stats_t *stats;
+    area_toner_t *toner; /* NULL: no hatching */
+    const hatch_t *hatch;
+    uint8_t hatch_surface;
 } edge_ink_t;
 
 /* The edge's way on the page along its longer axis, as a place of the first end and a signed length. */
@@ -38,7 +44,10 @@ static int32_t parameter(const poly_point_t end[2], poly_point_t p) {
 
 static int take_polygon(void *ctx, int32_t face, const poly_t *p) {
     edge_ink_t *ink = ctx;
-    (void)face;
+    if (ink->toner) {
+        int err = area_toner_polygon(ink->toner, face, p, ink->lattice.m->solid->ne, &ink->parts);
+        if (err) return err;
+    }
     for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++])
         for (int32_t k = first; k < p->end[c]; k++) {
             poly_point_t end[2];
@@ -62,6 +71,8 @@ static int32_t least(void *ctx, int32_t line) {
     poly_point_t end[2];
     int64_t z[2];
     int64_t t[2], length, some = (int64_t)LEAST_LAT << ink->lattice.bits >> AREA_LATTICE_BITS;
+    if (line >= ink->lattice.m->solid->ne)
+        return (int32_t)(HATCH_LEAST_LAT * INK_ONE / (2 * (int64_t)ink->hatch->reach_lat));
     if (!area_edge(&ink->lattice, line, end, z, t)) return 0;
     along(end, (poly_point_t){0, 0}, &length);
     if (length < 0) length = -length;
@@ -70,6 +81,12 @@ static int32_t least(void *ctx, int32_t line) {
 
 static int emit(void *ctx, const interval_t *part) {
     edge_ink_t *ink = ctx;
+    int32_t ne = ink->lattice.m->solid->ne;
+    if (part->line >= ne) {
+        const ink_piece_t stroke = {INK_CURVE, ink->hatch_surface, part->line - ne, part->from_q30, part->to_q30};
+        ink->stats->pieces++;
+        return ink->sink->piece(ink->sink->ctx, &stroke);
+    }
     const ink_piece_t piece = {.family = INK_SEGMENT,
                                .line = part->line,
                                .from_q30 = area_space(&ink->lattice, part->line, part->from_q30),
@@ -79,13 +96,21 @@ static int emit(void *ctx, const interval_t *part) {
     return ink->sink->piece(ink->sink->ctx, &piece);
 }
 
-int area_draw(const solid_map_t *m, const hidden_job_t *job, hidden_stats_t *stats, area_stats_t *area) {
+int area_draw(const solid_map_t *m, const area_tone_t *tone, uint8_t hatch_surface, const hidden_job_t *job,
+              hidden_stats_t *stats, area_stats_t *area) {
     *stats = (hidden_stats_t){.edges = m->solid->ne};
-    edge_ink_t ink = {.lattice = area_lattice(m), .sink = job->sink, .stats = stats};
-    size_t bytes = job->bytes / INTERVALS_SHARE & ~(size_t)7, rest = (job->bytes - bytes) & ~(size_t)7;
-    intervals_init(&ink.parts, (uint8_t *)job->mem + rest, bytes);
+    edge_ink_t ink = {.lattice = area_lattice(m), .sink = job->sink, .stats = stats, .hatch_surface = hatch_surface};
+    size_t part = job->bytes / SHARES & ~(size_t)7, tone_bytes = tone ? part * TONE_SHARES : 0;
+    size_t sort_bytes = part * (SHARES - INTERVALS_SHARES) - tone_bytes;
+    uint8_t *mem = job->mem;
+    intervals_init(&ink.parts, mem + sort_bytes + tone_bytes, part * INTERVALS_SHARES);
+    if (tone) {
+        ink.hatch = tone->hatch;
+        int err = area_toner_make(&ink.toner, tone, m, mem + sort_bytes, tone_bytes, mem, sort_bytes);
+        if (err) return err;
+    }
     const area_sink_t sink = {&ink, take_polygon, take_wire};
-    int err = area_sort(m, job->mem, rest, &sink, job->tick, job->tick_ctx, area);
+    int err = area_sort(m, mem, sort_bytes, &sink, job->tick, job->tick_ctx, area);
     stats->facets = area->polygons;
     stats->bytes = job->bytes;
     if (err) return err;

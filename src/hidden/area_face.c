@@ -143,8 +143,7 @@ static bool span(area_face_t *f, const poly_vertex_t *v, const int64_t *z) {
     return true;
 }
 
-/* Is the eye on the outer side of a face of a closed object? */
-static bool looks_at_eye(const solid_map_t *m, int32_t face) {
+bool area_looks_at_eye(const solid_map_t *m, int32_t face) {
     const solid_vertex_t *p = &m->solid->vertex[m->solid->corner[m->solid->face[face].corner]];
     solid_normal_t n = solid_face_normal(m->solid, face);
     wide_t sum = {0, 0};
@@ -223,7 +222,7 @@ void area_faces_make(area_faces_t *faces, const solid_map_t *m, int32_t *corner_
         if (area_is_thin(&whole, &f->box)) continue;
         /* An eye with everything in front of it is outside of all closed objects, and sees their outer sides only. */
         bool closed = s->object[from->object].kind != SOLID_OPEN && !m->any_behind;
-        if (closed && !looks_at_eye(m, k)) {
+        if (closed && !area_looks_at_eye(m, k)) {
             state[k] = AREA_TURNED_AWAY;
             continue;
         }

@@ -60,6 +60,8 @@ typedef struct area_faces {
     area_lattice_t lattice;
 } area_faces_t;
 
+/* Is the eye on the side of a face from which it runs counter-clockwise, the outer one of a closed object? */
+bool area_looks_at_eye(const solid_map_t *m, int32_t face);
 /* Depth at a place, smaller is nearer. */
 int64_t area_depth(const area_plane_t *p, poly_point_t at);
 /* What is left of a face that is cut off behind the eye may have so many corners. */

@@ -10,7 +10,7 @@ static const char overview[] =
     "splot f(x,y)       draw a surface; also a data file: splot 'hill.dat', or several: splot f(x,y), 'hill.dat'\n"
     "plot f(x)          draw a curve\n"
     "replot             draw the last plot again with the present settings\n"
-    "set/unset/show     xrange yrange zrange samples isosamples view hidden3d halo title\n"
+    "set/unset/show     xrange yrange zrange samples isosamples view hidden3d halo hatch light shadow title\n"
     "                   xyplane paper machine dummy datafile; show all\n"
     "a = 3              set a variable;  f(x,y) = x*y  define a function\n"
     "print a, f(1,2)    compute\n"
@@ -51,6 +51,13 @@ static const topic_t topics[] = {
      "set hidden3d horizon [infinite]      profiles across the view (a ridgeline drawing); infinite: one side only\n"
      "set hidden3d halo                    every line is drawn, with a gap where it passes behind another: help halo\n"
      "unset hidden3d                       every line is drawn\n"},
+#if CONFIG_AREA
+    {"hatch",
+     "set hatch ANGLE,PITCH: solids of set hidden3d area are hatched by their slope to the light, lines PITCH mm (1)\n"
+     "apart at ANGLE degrees; in shadow crosswise. unset hatch: lines only. See light, shadow.\n"},
+    {"light", "set light X,Y,Z: the direction to the light, in the units of the data (-1,-2,3). See hatch.\n"},
+    {"shadow", "set shadow [on|off]: solids cast shadows, which set hatch shows.\n"},
+#endif
     {"halo",
      "set halo W [ends]: with set hidden3d halo, a line is interrupted for W mm to either side of a nearer one (0.5).\n"
      "ends: also where it only comes that close to a nearer line, beside it or beyond its end. 0 is no halo.\n"},

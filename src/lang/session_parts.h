@@ -55,7 +55,10 @@ int set_datafile(session_t *s, lexer_t *lx, int index, const lexer_t *word);
 /* set_view.c, set_page.c, set_machine.c */
 int set_view(session_t *s, lexer_t *lx);
 int set_hidden3d(session_t *s, lexer_t *lx);
-int set_halo(session_t *s, lexer_t *lx); /* set_halo.c */
+int set_halo(session_t *s, lexer_t *lx);  /* set_halo.c */
+int set_hatch(session_t *s, lexer_t *lx); /* set_light.c */
+int set_light(session_t *s, lexer_t *lx);
+int set_shadow(session_t *s, lexer_t *lx);
 int set_xyplane(session_t *s, lexer_t *lx);
 int set_paper(session_t *s, lexer_t *lx);
 int set_machine(session_t *s, lexer_t *lx);

@@ -131,6 +131,14 @@ int set_command(session_t *s, lexer_t *lx) {
         return set_dummy(s, lx);
     case SET_HALO:
         return set_halo(s, lx);
+#if CONFIG_AREA
+    case SET_HATCH:
+        return set_hatch(s, lx);
+    case SET_LIGHT:
+        return set_light(s, lx);
+    case SET_SHADOW:
+        return set_shadow(s, lx);
+#endif
     case SET_HIDDEN3D:
         return set_hidden3d(s, lx);
     case SET_ISOSAMPLES:
@@ -217,6 +225,17 @@ int set_unset_command(session_t *s, lexer_t *lx) {
         set->halo_um = fresh.halo_um;
         set->halo_ends = fresh.halo_ends;
         return 0;
+#if CONFIG_AREA
+    case SET_HATCH:
+        set->hatch_um = 0;
+        return 0;
+    case SET_LIGHT:
+        memcpy(set->light_milli, fresh.light_milli, sizeof fresh.light_milli);
+        return 0;
+    case SET_SHADOW:
+        set->shadow = false;
+        return 0;
+#endif
     case SET_HIDDEN3D:
         set->hidden = HIDDEN_NONE;
         set->dashed = false;

@@ -10,6 +10,11 @@ void settings_default(settings_t *s) {
     s->isosamples[0] = s->isosamples[1] = 10;
     s->hidden = HIDDEN_PERIMETER;
     s->halo_um = 500;
+#if CONFIG_AREA
+    s->light_milli[0] = -1000;
+    s->light_milli[1] = -2000;
+    s->light_milli[2] = 3000;
+#endif
     s->view.rot_x = num_from_i64(60);
     s->view.rot_z = num_from_i64(30);
     s->view.scale = s->view.zscale = one;

@@ -2,6 +2,7 @@
 #ifndef SETTINGS_H
 #define SETTINGS_H
 
+#include "config.h"
 #include "motion/machine.h"
 #include "num/num.h"
 
@@ -32,7 +33,13 @@ typedef struct settings {
     bool dashed;           /* set hidden3d dashed: hidden parts of solids are drawn with dashes */
     bool horizon_infinite; /* set hidden3d horizon infinite: upper side only */
     int32_t halo_um;       /* set halo W: to each side of a nearer line; 500 */
-    bool halo_ends;        /* set halo W ends: also beyond its ends and beside it */
+#if CONFIG_AREA
+    int32_t hatch_um;       /* set hatch A,P: pitch; 0: no hatching. For set hidden3d area, as the next three */
+    int32_t hatch_mdeg;     /* its angle */
+    int32_t light_milli[3]; /* set light X,Y,Z: direction to the light, thousandths; -1,-2,3 */
+    bool shadow;            /* set shadow on */
+#endif
+    bool halo_ends; /* set halo W ends: also beyond its ends and beside it */
     struct {
         bool from;           /* set view from ...: perspective; otherwise gnuplot's rotation */
         num_t rot_x, rot_z;  /* degrees; 60, 30 */

@@ -186,6 +186,26 @@ static bool show_option(session_t *s, uint8_t id) {
         show_value(&t, "set halo ", set->halo_um, 3);
         text_add(&t, set->halo_ends ? " ends\n" : "\n");
         break;
+#if CONFIG_AREA
+    case SET_HATCH:
+        if (!set->hatch_um) {
+            text_add(&t, "unset hatch\n");
+            break;
+        }
+        show_value(&t, "set hatch ", set->hatch_mdeg, 3);
+        show_value(&t, ",", set->hatch_um, 3);
+        text_add(&t, "\n");
+        break;
+    case SET_LIGHT:
+        show_value(&t, "set light ", set->light_milli[0], 3);
+        show_value(&t, ",", set->light_milli[1], 3);
+        show_value(&t, ",", set->light_milli[2], 3);
+        text_add(&t, "\n");
+        break;
+    case SET_SHADOW:
+        text_add(&t, set->shadow ? "set shadow\n" : "unset shadow\n");
+        break;
+#endif
     case SET_VIEW:
         show_view(&t, set);
         break;
@@ -235,9 +255,10 @@ static bool show_option(session_t *s, uint8_t id) {
 }
 
 int show_command(session_t *s, lexer_t *lx) {
-    static const uint8_t all[] = {SET_TITLE,      SET_XRANGE, SET_YRANGE,   SET_ZRANGE,    SET_XYPLANE,  SET_SAMPLES,
-                                  SET_ISOSAMPLES, SET_VIEW,   SET_HIDDEN3D, SET_HALO,      SET_PAPER,    SET_MACHINE,
-                                  SET_ANGLES,     SET_DUMMY,  SET_DATAFILE, SET_VARIABLES, SET_FUNCTIONS};
+    static const uint8_t all[] = {SET_TITLE,   SET_XRANGE,     SET_YRANGE,   SET_ZRANGE,    SET_XYPLANE,
+                                  SET_SAMPLES, SET_ISOSAMPLES, SET_VIEW,     SET_HIDDEN3D,  SET_HALO,
+                                  SET_HATCH,   SET_LIGHT,      SET_SHADOW,   SET_PAPER,     SET_MACHINE,
+                                  SET_ANGLES,  SET_DUMMY,      SET_DATAFILE, SET_VARIABLES, SET_FUNCTIONS};
     if (session_at_end(lx)) return lexer_unexpected(lx, &s->error, "an option expected; try `show all`");
     lexer_t word = *lx;
     bool plot = lexer_is_almost(lx, "p$lot");

@@ -1,6 +1,8 @@
 /* words.c - gnuplot 5.4's words in its own order (set.c, command.c, tables.c), so that abbreviations mean the same. */
 #include "lang/words.h"
 
+#include "config.h"
+
 bool words_match(const char *pattern, const char *text, size_t len) {
     size_t i = 0;
     bool enough = false;
@@ -108,6 +110,9 @@ const word_t words_set[] = {
     {"fu$nctions", SET_FUNCTIONS},
     {"g$rid", SET_IGNORED},
     {"halo", SET_HALO},
+#if CONFIG_AREA
+    {"hatch", SET_HATCH},
+#endif
     {"hid$den3d", SET_HIDDEN3D},
     {"historys$ize", SET_IGNORED},
     {"his$tory", SET_IGNORED},
@@ -117,6 +122,9 @@ const word_t words_set[] = {
     {"k$ey", SET_IGNORED},
     {"keyt$itle", SET_IGNORED},
     {"la$bel", SET_IGNORED},
+#if CONFIG_AREA
+    {"light", SET_LIGHT},
+#endif
     {"lines$tyle", SET_IGNORED},
     {"ls", SET_IGNORED},
     {"linet$ype", SET_IGNORED},
@@ -168,6 +176,9 @@ const word_t words_set[] = {
     {"rr$ange", SET_IGNORED},
     {"rti$cs", SET_IGNORED},
     {"sa$mples", SET_SAMPLES},
+#if CONFIG_AREA
+    {"shadow", SET_SHADOW},
+#endif
     {"si$ze", SET_IGNORED},
     {"spider$plot", SET_IGNORED},
     {"st$yle", SET_STYLE},

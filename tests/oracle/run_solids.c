@@ -110,7 +110,7 @@ static int draw(const solid_scene_t *s, const mesh_t *m, solid_ref_t *ref, page_
         ink->solid = &solid;
         const ink_sink_t sink = {ink, take};
         const hidden_job_t job = {.mem = kernel, .bytes = more, .sink = &sink};
-        err = area ? area_draw(&map, &job, &stats, area) : convex_draw(&map, NULL, &job, &stats);
+        err = area ? area_draw(&map, NULL, 0, &job, &stats, area) : convex_draw(&map, NULL, &job, &stats);
     }
     free(mem);
     free(place);

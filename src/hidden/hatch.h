@@ -1,0 +1,40 @@
+/* hatch.h - hatching: two families of parallel lines over the page, square to each other, of which polygons show parts.
+ *
+ * A hatch line is implicit: number k of a family lies k pitches from the middle of the page, and a place on it is a
+ * parameter, so nothing is stored but the visible parts (intervals.h), and polygons side by side with one tone are
+ * hatched by the same lines, drawn through. Tones are made of them: none, every second line, every line, both families.
+ *
+ * Numbers: places along (u) and across (w) a family count 2^-30 units of the polygons' lattice; |u|, |w| < 2^62. A
+ * crossing with an edge is exact but for one rounding to 2^-30 of the line, 2^-6 lat on A4. */
+#ifndef HATCH_H
+#define HATCH_H
+
+#include "hidden/intervals.h"
+#include "num/num.h"
+#include "poly/poly.h"
+#include "view/line_space.h"
+
+enum hatch_tone { HATCH_NONE, HATCH_LIGHT, HATCH_MIDDLE, HATCH_DARK };
+
+#define HATCH_MIN_LAT (LAT_PER_MM / 10) /* least pitch */
+
+typedef struct hatch {
+    line_space_t lines; /* of family INK_CURVE, line = number of a hatch line */
+    page_point_t middle;
+    int32_t cos_q30, sin_q30;
+    int32_t pitch_lat;
+    int32_t reach_lat; /* lines reach so far to either side of the middle, and lines lie so far from it */
+    int32_t half;      /* lines of a family are numbered -half .. half */
+    int bits;          /* 1 lat is 2^bits units of the polygons */
+} hatch_t;
+
+/* A family of lines at `degrees` from the x axis (the other square to it), pitch_lat >= HATCH_MIN_LAT apart. The window
+ * outlives h. */
+void hatch_setup(hatch_t *h, const page_window_t *window, num_t degrees, int32_t pitch_lat);
+/* How many lines there are, both families. */
+int32_t hatch_lines(const hatch_t *h);
+/* Adds the parts of hatch lines inside a polygon (even-odd) that give it this tone; line numbers count from `first`.
+ * Returns 0 or ERR_FULL. Cost: lines across the polygon times its edges. */
+int hatch_polygon(const hatch_t *h, const poly_t *p, enum hatch_tone tone, int32_t first, intervals_t *to);
+
+#endif
