@@ -52,7 +52,9 @@ if have cppcheck; then
     cppcheck -q --std=c11 -Isrc -I. --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
         --suppress=missingIncludeSystem --suppress=internalAstError \
         --suppress=shiftTooManyBitsSigned --suppress=shiftNegativeLHS --suppress=zerodivcond --suppress=objectIndex \
-        --suppress=arrayIndexThenCheck --suppress=uninitvar:src/hidden/bands_add.c $sources
+        --suppress=arrayIndexThenCheck --suppress=uninitvar:src/hidden/bands_add.c \
+        --suppress=uninitvar:src/hidden/windows_close.c --suppress=uninitvar:src/hidden/edges_windows.c \
+        --suppress=uninitvar:src/hidden/area_wires.c $sources
     verdict $? "cppcheck"
 fi
 

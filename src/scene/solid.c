@@ -134,13 +134,13 @@ static int64_t fixed_of(packed_t p, int32_t bits) {
 
 static void choose_bits(solid_build_t *b) {
     const solid_t *s = b->s;
-    int32_t most = INT32_MIN; /* all coordinates below 2^most */
+    int32_t most = INT16_MIN; /* all coordinates below 2^most */
     for (int axis = 0; axis < 3; axis++) {
         if (s->lo[axis].m != 0 && s->lo[axis].e + 63 > most) most = s->lo[axis].e + 63;
         if (s->hi[axis].m != 0 && s->hi[axis].e + 63 > most) most = s->hi[axis].e + 63;
     }
     b->bits = s->shift + SPARE_BITS;
-    if (most > INT32_MIN && b->bits > 61 - most) b->bits = 61 - most;
+    if (most > INT16_MIN && b->bits > 61 - most) b->bits = 61 - most;
     for (int axis = 0; axis < 3; axis++) b->origin[axis] = num_to_fixed(s->origin[axis], b->bits, NULL);
 }
 
