@@ -173,13 +173,3 @@ bool solid_map_edge(const solid_map_t *m, int32_t edge, solid_place_t end[2], in
     end[back] = place_of(m, &cut);
     return true;
 }
-
-int64_t solid_map_space(const solid_map_t *m, const solid_place_t end[2], const int64_t t_q30[2], int64_t page_q30) {
-    int64_t s = page_q30;
-    if (m->lines.perspective && page_q30 > 0 && page_q30 < INK_ONE) {
-        /* page u, space s, z = -1/E: s = u z1 / (u z1 + (1 - u) z0) */
-        int64_t far = page_q30 * -(int64_t)end[1].z, near = (INK_ONE - page_q30) * -(int64_t)end[0].z;
-        s = ints_muldiv_round(INK_ONE, far >> 1, (far >> 1) + (near >> 1));
-    }
-    return t_q30[0] + ((t_q30[1] - t_q30[0]) * s >> 30);
-}

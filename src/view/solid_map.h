@@ -66,7 +66,5 @@ static inline bool solid_map_is_good(const solid_map_t *m, int32_t v) {
 /* The part of an edge in front of the eye: its ends on the page and their parameters in space (0 and INK_ONE for an
  * edge that is not cut). False if it is all behind. */
 bool solid_map_edge(const solid_map_t *m, int32_t edge, solid_place_t end[2], int64_t t_q30[2]);
-/* From a fraction of the way on the page between two such ends to the parameter in space, all q30. */
-int64_t solid_map_space(const solid_map_t *m, const solid_place_t end[2], const int64_t t_q30[2], int64_t page_q30);
 
 #endif
