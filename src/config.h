@@ -111,6 +111,15 @@ _Static_assert(CONFIG_DATA_COLUMNS < 64, "data_reader keeps one bit per column i
 #define CONFIG_MOTION_PIECES 64
 #endif
 
+/* Steps a second that the board's interrupt makes in time on both motors at once; 0: as many as are asked for. And the
+ * pen's speed by default (um/s). */
+#ifndef CONFIG_STEP_RATE
+#define CONFIG_STEP_RATE 0
+#endif
+#ifndef CONFIG_SPEED_UM_S
+#define CONFIG_SPEED_UM_S 100000
+#endif
+
 /* Width of a step pulse and how long DIR stands before it, by default (ns). What the drivers need, and not less than
  * what the chip's interrupt can keep. */
 #ifndef CONFIG_PULSE_NS

@@ -6,8 +6,8 @@
 void machine_default(machine_t *m) {
     *m = (machine_t){
         .steps_per_mm_q16 = {80u << 16, 80u << 16},
-        .draw_speed_um_s = 100000,
-        .travel_speed_um_s = 100000,
+        .draw_speed_um_s = CONFIG_SPEED_UM_S,
+        .travel_speed_um_s = CONFIG_SPEED_UM_S,
         .accel_um_s2 = 1000000,
         .junction_um = 10,
         .lift_us = 100000,
