@@ -24,9 +24,9 @@ for core in m0an m3 rp2040; do spent $core >"$work/$core.spent"; done
     paste "$work/m0an.lines" "$work/m0an.spent" "$work/m3.spent" "$work/rp2040.spent"
 } >"$out/boards.tsv"
 
-awk -F '\t' 'NR > 1 && $3 > 0 || /perimeter|bands|horizon/ && NR > 1 { drawing[++n] = $0 } END {
+awk -F '\t' 'NR > 1 && $3 > 0 || /perimeter|windows|horizon/ && NR > 1 { drawing[++n] = $0 } END {
     print "\n## Boards: what a facet costs\n"
-    print "Instructions (cycles on the RP2040) per facet of the kernel alone, 40 x 40 points (holes for bands), heights at hand. The scenes are made"
+    print "Instructions (cycles on the RP2040) per facet of the kernel alone, 40 x 40 points (with holes for windows), heights at hand. The scenes are made"
     print "in integers, the same everywhere; so are the pieces and the operations (tests/emu/test_same.sh).\n"
     print "| kernel | family | bits | Cortex-M0 | Cortex-M3 | RP2040 cycles | RP2040 at 125 MHz |"
     print "|---|---|--:|--:|--:|--:|--:|"

@@ -14,7 +14,7 @@ costs() {
     printf 'kernel\tfamily\tn\tbits\tfacets\tinstructions_per_facet\n' >"$out/instructions.tsv"
     printf '\n## Instructions per facet\n\nx86-64 instructions of the kernel, counted by callgrind (60 x 60 points).\n\n'
     printf '| kernel | family | bits | instructions per facet |\n|---|---|--:|--:|\n'
-    for kernel in perimeter bands horizon; do
+    for kernel in perimeter windows horizon; do
         for family in smooth random cliffs grazing far; do
             bits=15
             [ $kernel$family = perimeterrandom ] && bits="0 4 8 15"

@@ -123,8 +123,8 @@ static void by_bits(const char *dir, int n, int every) {
         "\n![error against bits](lattice.svg)\n![error against time](pareto.svg)\n\n"
         "**Shipped: %d bits**, all that 32-bit words with products of 64 hold. Fewer would be no faster, as the times "
         "show: a word is a word; a vertex would be smaller only with 16 bits in all, which leave no bit below a step, "
-        "and there ink goes missing by hundreds of steps; from 8 on nothing is wrong by more than a fraction of a "
-        "step. The rest is room for lines that are cut a "
+        "and there ink goes missing by hundreds of steps. With 2 bits ends are still off by up to a step; "
+        "from 4 on nothing is wrong by more than a fraction of one. The rest is room for lines that are cut a "
         "thousand times, each time rounded, and for scenes that fill only a part of the lattice.\n",
         LATTICE_SHIPPED);
     fclose(out);

@@ -40,15 +40,20 @@ typedef struct box {
     double x0, y0, x1, y1;
 } box_t;
 
-/* Without cr: grows the box by the ink. */
+/* With cr: what lies in the box, in strokes of a few hundred lines, since a path of millions takes minutes. Without:
+ * grows the box by the ink. */
 static void show(cairo_t *cr, const scene_t *s, const run_drawing_t *d, box_t *box) {
+    int lines = 0;
     for (size_t i = 0; i < d->n; i++)
         for (int k = (int)d->piece[i].from; k < d->piece[i].to; k++) {
             double at[4];
             if (!part_on_page(s, &d->piece[i], k, at)) continue;
             if (cr) {
+                if (fmax(at[0], at[2]) < box->x0 || fmin(at[0], at[2]) > box->x1) continue;
+                if (fmax(at[1], at[3]) < box->y0 || fmin(at[1], at[3]) > box->y1) continue;
                 cairo_move_to(cr, at[0], at[1]);
                 cairo_line_to(cr, at[2], at[3]);
+                if (++lines % 500 == 0) cairo_stroke(cr);
                 continue;
             }
             box->x0 = fmin(box->x0, fmin(at[0], at[2])), box->x1 = fmax(box->x1, fmax(at[0], at[2]));
@@ -56,7 +61,7 @@ static void show(cairo_t *cr, const scene_t *s, const run_drawing_t *d, box_t *b
         }
 }
 
-static void thumbnail(cairo_t *cr, double x, double y, const scene_t *s, const run_drawing_t *d, const box_t *box) {
+static void thumbnail(cairo_t *cr, double x, double y, const scene_t *s, const run_drawing_t *d, box_t *box) {
     double w = fmax(box->x1 - box->x0, 1e-6), h = fmax(box->y1 - box->y0, 1e-6);
     double k = fmin((CELL_W - 12) / w, (CELL_H - 8) / h);
     cairo_save(cr);
@@ -65,11 +70,11 @@ static void thumbnail(cairo_t *cr, double x, double y, const scene_t *s, const r
     cairo_translate(cr, x + CELL_W / 2., y + CELL_H / 2.);
     cairo_scale(cr, k, -k);
     cairo_translate(cr, -(box->x0 + box->x1) / 2, -(box->y0 + box->y1) / 2);
-    show(cr, s, d, NULL);
-    cairo_restore(cr);
-    cairo_set_line_width(cr, .6);
+    cairo_set_line_width(cr, .6 / k);
     cairo_set_source_rgb(cr, 0, 0, 0);
+    show(cr, s, d, box);
     cairo_stroke(cr);
+    cairo_restore(cr);
 }
 
 static void caption(cairo_t *cr, double x, double y, const char *text, double shade) {
@@ -108,8 +113,8 @@ static judge_report_t judged(const scene_t *s, const run_drawing_t *d, int every
     return r;
 }
 
-static cairo_t *sheet_start(void) {
-    const int rows = (PER_SHEET + COLUMNS - 1) / COLUMNS;
+static cairo_t *sheet_start(int cases) {
+    const int rows = (cases + COLUMNS - 1) / COLUMNS;
     cairo_surface_t *to =
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, COLUMNS * 2 * CELL_W, rows * (CELL_H + CAPTION));
     cairo_t *cr = cairo_create(to);
@@ -182,7 +187,7 @@ static void large(int i, bool rough, cairo_t *cr, FILE *md, FILE *tsv, account_t
              LARGE);
     double x, y;
     page_view_point(&s.view, surface_ref_node(&s.ref, LARGE / 2, LARGE / 2), &x, &y);
-    const box_t part = {x - 2, y - 1.5, x + 2, y + 1.5};
+    const box_t part = {x - .6, y - .45, x + .6, y + .45};
     enter(i, name, &s, LARGE, &part, cr, md, tsv, all);
     scene_free(&s);
 }
@@ -206,7 +211,7 @@ int main(int argc, char **argv) {
     fprintf(md, "\n| | scene | missing | false | end off | naive: missing | false |\n|--:|---|--:|--:|--:|--:|--:|\n");
     cairo_t *cr = NULL;
     for (int i = 0; i < count; i++) {
-        if (i % PER_SHEET == 0) cr = sheet_start();
+        if (i % PER_SHEET == 0) cr = sheet_start(count - i < PER_SHEET ? count - i : PER_SHEET);
         if (i < listed) {
             scene_t s;
             hard_list_build(i, &s);

@@ -104,7 +104,7 @@ int main(int argc, char **argv) {
                     subject_family_name[m], (long long)st.facets, rows, N * N, evaluations, peak, (long long)st.edges,
                     (long long)st.tests, (long long)st.crossings, (long long)st.pieces, st.bytes);
             printf("| %s | %s | %d | %.2f | ", subject_kernel_name[k], subject_family_name[m], rows, evaluations);
-            printf(k == KERNEL_BANDS ? "- | " : "%d | ", peak);
+            printf(k == KERNEL_WINDOWS ? "- | " : "%d | ", peak);
             printf("%lld | %lld | %lld | %lld | %zu | ", (long long)st.edges, (long long)st.tests,
                    (long long)st.crossings, (long long)st.pieces, st.bytes);
             /* Profiles bound no facets: the general method must model what lies between them. */

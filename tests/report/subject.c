@@ -68,7 +68,7 @@ void subject_make(subject_t *u, enum subject_kernel kernel, enum subject_family 
     scene_shape(&u->scene, shape[family], &rng);
     surface_ref_t *r = &u->scene.ref;
     r->eye = eye[family];
-    if (kernel == KERNEL_BANDS) {
+    if (kernel == KERNEL_WINDOWS) {
         r->hole = room((size_t)(n * n));
         for (int k = 0; k < n * n; k++) r->hole[k] = scene_below(&rng, 12) == 0;
     }
@@ -83,7 +83,7 @@ void subject_make(subject_t *u, enum subject_kernel kernel, enum subject_family 
     for (int k = 0; k < n * n; k++) u->z[k] = r->hole && r->hole[k] ? num_undef() : run_num(r->z[k]);
     u->cam = run_camera(&r->eye);
     u->bytes = kernel == KERNEL_HORIZON ? horizon_bytes(8 * n * n + 1000)
-                                        : perimeter_bytes(n, (kernel == KERNEL_BANDS ? 800 : 60) * 2 * n + 1000);
+                                        : perimeter_bytes(n, (kernel == KERNEL_WINDOWS ? 800 : 60) * 2 * n + 1000);
     u->mem = room(u->bytes);
     if (kernel == KERNEL_HORIZON) make_profiles(u);
     u->surface = (surface_t){n, n, u, x_of, y_of, z_of, NULL};

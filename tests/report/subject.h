@@ -7,7 +7,7 @@
 #include "tests/oracle/run_horizon.h"
 #include "tests/oracle/run_kernel.h"
 
-enum subject_kernel { KERNEL_PERIMETER, KERNEL_BANDS, KERNEL_HORIZON, KERNELS };
+enum subject_kernel { KERNEL_PERIMETER, KERNEL_WINDOWS, KERNEL_HORIZON, KERNELS };
 enum subject_family { FAMILY_SMOOTH, FAMILY_RANDOM, FAMILY_CLIFFS, FAMILY_GRAZING, FAMILY_FAR, FAMILIES };
 extern const char *const subject_kernel_name[KERNELS];
 extern const char *const subject_family_name[FAMILIES];
@@ -32,7 +32,7 @@ typedef struct subject {
     horizon_ref_t horizon;
 } subject_t;
 
-/* u must not move while it is used. n x n points on [-2,2]^2. KERNEL_BANDS has every twelfth point undefined,
+/* u must not move while it is used. n x n points on [-2,2]^2. KERNEL_WINDOWS has every twelfth point undefined,
  * KERNEL_HORIZON draws the rows as profiles. Fixed seeds: the same scene every time. */
 void subject_make(subject_t *u, enum subject_kernel kernel, enum subject_family family, int n);
 void subject_free(subject_t *u);

@@ -52,7 +52,7 @@ static void kernels(void) {
     static const int bits[] = {0, 2, 4, 8};
     for (enum integer_kernel kernel = KERNEL_PERIMETER; kernel <= KERNEL_HORIZON; kernel++)
         for (enum integer_family family = FAMILY_SMOOTH; family <= FAMILY_FAR; family++) {
-            integer_scene_family(&scene, family, COUNT_POINTS, kernel == KERNEL_BANDS);
+            integer_scene_family(&scene, family, COUNT_POINTS, kernel == KERNEL_WINDOWS);
             if (integer_scene_measure(&scene)) return;
             draw(kernel, family, LATTICE_SHIPPED);
             for (size_t i = 0; i < sizeof bits / sizeof *bits && family == FAMILY_RANDOM; i++)

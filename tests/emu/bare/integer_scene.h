@@ -14,7 +14,7 @@
 #endif
 
 enum integer_family { FAMILY_SMOOTH, FAMILY_RANDOM, FAMILY_CLIFFS, FAMILY_GRAZING, FAMILY_FAR, FAMILY_ANY };
-enum integer_kernel { KERNEL_PERIMETER, KERNEL_BANDS, KERNEL_HORIZON };
+enum integer_kernel { KERNEL_PERIMETER, KERNEL_WINDOWS, KERNEL_HORIZON };
 
 typedef struct integer_scene {
     int nx, ny;
