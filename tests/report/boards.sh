@@ -32,7 +32,10 @@ awk -F '\t' 'NR > 1 && $3 > 0 || /perimeter|windows|horizon/ && NR > 1 { drawing
     print "|---|---|--:|--:|--:|--:|--:|"
     for (i = 1; i <= n; i++) {
         split(drawing[i], f, "\t")
-        printf "| %s | %s | %s | %.0f | %.0f | %.0f | %.1f us |\n", f[1], f[2], f[3] == 15 ? "15 (shipped)" : f[3], f[5] / f[4], f[6] / f[4], f[7] / f[4], f[7] / f[4] / 125
+        if (f[4] < 0)
+            printf "| %s | %s | %s | does not fit into 112 KB | | | |\n", f[1], f[2], f[3]
+        else
+            printf "| %s | %s | %s | %.0f | %.0f | %.0f | %.1f us |\n", f[1], f[2], f[3] == 15 ? "15 (shipped)" : f[3], f[5] / f[4], f[6] / f[4], f[7] / f[4], f[7] / f[4] / 125
     }
 }' "$out/boards.tsv"
 awk -F '\t' '$1 ~ /^(Q|float|double|num_t)/ { line[++n] = $0 } END {
