@@ -115,7 +115,7 @@ int area_wires(const area_faces_t *faces, const uint8_t *state, void *mem, size_
     intervals_init(&hidden, mem, half);
     int32_t *t = (int32_t *)(void *)((uint8_t *)mem + half), most = (int32_t)(half / sizeof *t);
     for (int32_t e = 0; e < s->ne; e++) {
-        if (s->edge[e].first != e || is_answered_for(s, e, state)) continue;
+        if (s->edge[e].first != e || solid_is_cut(&s->edge[e]) || is_answered_for(s, e, state)) continue;
         int err = draw(faces, e, &hidden, t, most, sink);
         if (err) return err;
     }

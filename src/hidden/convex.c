@@ -109,7 +109,7 @@ static bool is_left_out(const drawing_t *d, const solid_edge_t *e) {
 
 static int draw_edge(drawing_t *d, int32_t edge) {
     const solid_edge_t *e = &d->map->solid->edge[edge];
-    if (e->first != edge || is_left_out(d, e)) return 0;
+    if (e->first != edge || solid_is_cut(e) || is_left_out(d, e)) return 0;
     int64_t t_q30[2];
     shadow_line_t *line = &d->line;
     if (!solid_map_edge(d->map, edge, line->end, t_q30)) return 0;

@@ -15,7 +15,7 @@ static bool lines_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, pag
     int32_t each = 2 * h->half + 1, k = line % each - h->half;
     bool second = line >= each;
     int64_t reach = (int64_t)h->reach_lat << FRAC_BITS, u = ints_muldiv_round(2 * reach, t_q30, INK_ONE) - reach;
-    int64_t w = (int64_t)k * h->pitch_lat << FRAC_BITS;
+    int64_t w = (int64_t)k * h->pitch_lat * ((int64_t)1 << FRAC_BITS);
     int64_t c = second ? -h->sin_q30 : h->cos_q30, s = second ? h->cos_q30 : h->sin_q30;
     out->x =
         ((int64_t)h->middle.x_lat << FRAC_BITS) + ints_muldiv_round(u, c, INK_ONE) - ints_muldiv_round(w, s, INK_ONE);
@@ -51,7 +51,7 @@ static place_t place_of(const hatch_t *h, bool second, poly_point_t p) {
 }
 
 static int64_t line_at(const hatch_t *h, int32_t k) {
-    return (int64_t)k * h->pitch_lat << (h->bits + 30);
+    return (int64_t)k * h->pitch_lat * ((int64_t)1 << (h->bits + 30));
 }
 
 /* Where line k crosses the borders, sorted, as parameters. A vertex on the line belongs to the side below it. Returns

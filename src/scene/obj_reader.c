@@ -62,7 +62,28 @@ static int number(obj_reader_t *r) {
     return 0;
 }
 
+static int32_t word_at(const obj_reader_t *r, int32_t k) {
+    return *((const int32_t *)(const void *)(r->pool->base + r->pool->high) - 1 - k);
+}
+
+/* The end of a face's contour. A hole is joined to the outer contour by a cut that is gone along both ways, v0 ... h0
+ * h1
+ * ... h0, so that a face stays one chain; edges of one face on both sides are no lines (solid_is_cut). */
+static int end_contour(obj_reader_t *r) {
+    int32_t count = r->mesh.words - r->contour;
+    if (count < 3) return refuse(r, DATA_SHORT);
+    return r->contour == r->head + 1 ? 0 : push(r, word_at(r, r->contour));
+}
+
+static int begin_hole(obj_reader_t *r) {
+    int err = end_contour(r);
+    if (!err) err = push(r, word_at(r, r->head + 1));
+    r->contour = r->mesh.words;
+    return err;
+}
+
 static int corner(obj_reader_t *r) {
+    if (r->what == 'f' && r->token_len == 1 && r->token[0] == 'h') return begin_hole(r);
     int32_t i = 0, v = 0;
     bool negative = r->token[0] == '-';
     if (negative) i++;
@@ -111,6 +132,7 @@ static int first_word(obj_reader_t *r) {
         int err = push(r, 0);
         if (err) return err;
         set_head(r, MESH_OBJECT, 0);
+        r->contour = r->mesh.words;
     } else if (!r->what && !is_passed(r->token, (size_t)r->token_len)) {
         name_unsupported(r);
     }
@@ -138,7 +160,9 @@ static int end_element(obj_reader_t *r) {
     if (r->what == 'e' && r->words == 1) r->stopped = true;
     if (r->what == 'v' && count < 3) return refuse(r, DATA_SHORT);
     if (r->what == 'f') {
-        if (count < 3) return refuse(r, DATA_SHORT);
+        int err = end_contour(r);
+        if (err) return err;
+        count = m->words - r->head - 1;
         set_head(r, MESH_FACE, count);
         m->faces++;
         m->corners += count;

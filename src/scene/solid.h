@@ -38,6 +38,11 @@ typedef struct solid_edge {
     int32_t first;   /* the first of them, which stands for all in ink; itself for most */
 } solid_edge_t;
 
+/* A cut from a polygon's border to a hole in it: both sides are one face, and it is no line of the drawing. */
+static inline bool solid_is_cut(const solid_edge_t *e) {
+    return e->face[0] >= 0 && e->face[0] == e->face[1] && e->twin < 0;
+}
+
 typedef struct solid_face {
     int32_t corner, n; /* solid->corner[corner .. corner + n - 1], n >= 3; neighbours differ */
     int32_t object;

@@ -55,6 +55,45 @@ faces_that_cut_through_each_other_are_reported() {
     expect_text err 'cut through each other'
 }
 
+# pinwheel N: N bars around a circle, each rising over the next: no order of depth exists.
+pinwheel() {
+    awk -v n="$1" 'BEGIN { for (k = 0; k < n; k++) {
+        a = 6.283185307 * k / n; b = 6.283185307 * (k + 1) / n
+        x0 = cos(a) + .3 * (cos(a) - cos(b)); y0 = sin(a) + .3 * (sin(a) - sin(b))
+        x1 = cos(b) + .3 * (cos(b) - cos(a)); y1 = sin(b) + .3 * (sin(b) - sin(a))
+        l = sqrt((x1 - x0) ^ 2 + (y1 - y0) ^ 2); u = -(y1 - y0) / l * .2 / n; w = (x1 - x0) / l * .2 / n
+        printf "v %f %f 0\nv %f %f 0\nv %f %f 1\nv %f %f 1\nf -4 -3 -2 -1\n", x0 + u, y0 + w, x0 - u, y0 - w, x1 - u, y1 - w, x1 + u, y1 + w
+    } }' >ground.obj
+}
+
+cyclic_overlap_has_no_first() {
+    for n in 3 4 12; do
+        pinwheel $n
+        area=$(ink '')
+        convex=$(ink 'set hidden3d convex')
+        all=$(ink 'set hidden3d none')
+        close_to "$area" "$convex" 0.01
+        awk -v a="$area" -v b="$all" 'BEGIN { exit !(a < .99 * b) }' || { echo "nothing was hidden"; return 1; }
+        echo "# test_area: $n bars in a circle: $all mm, $area mm visible, $convex mm by the convex kernel"
+    done
+}
+
+holes_are_holes() {
+    printf 'v 0 0 0\nv 8 0 0\nv 8 8 0\nv 0 8 0\nv 1 1 0\nv 3 1 0\nv 3 5 0\nv 1 5 0\nv 5 2 0\nv 7 2 0\nv 6 4 0\n' >ground.obj
+    printf 'f 1 2 3 4 h 5 6 7 8 h 9 10 11\n' >>ground.obj
+    lines=$(ink '')
+    got=$(ink 'set hatch 10,0.5; set light 1,0,1')
+    # borders of 32, 12 and 2 + 2 sqrt 5; an area of 64 - 8 - 2 with every second of two lines to the millimetre
+    close_to "$(awk -v a="$got" -v b="$lines" 'BEGIN { print a - b }')" \
+        "$(awk -v b="$lines" 'BEGIN { s = b / (46 + 2 * sqrt(5)); print 54 * s * s }')" 10
+    close_to "$(ink 'set hidden3d convex')" "$lines" 0.01
+    close_to "$(ink 'set hidden3d none')" "$lines" 0.01
+    printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3 h 3 2\n' >bad.obj
+    printf 'splot "bad.obj"\n' >bad.gp
+    expect_status 2 ridgeline plot bad.gp -o bad.svg 2>err
+    expect_text err 'line 4'
+}
+
 settings_are_answered() {
     printf 'set hatch 30\nset light 1,2,3\nset shadow\nshow hatch\nshow light\nshow shadow\nunset hatch\nshow hatch\n' >show.gp
     ridgeline plot show.gp >out 2>&1 || true
@@ -65,5 +104,5 @@ settings_are_answered() {
     done
 }
 
-run_tests shadow_is_hatched_crosswise without_shadow_lit_faces_stay_white slopes_make_tones \
+run_tests cyclic_overlap_has_no_first holes_are_holes shadow_is_hatched_crosswise without_shadow_lit_faces_stay_white slopes_make_tones \
     faces_that_cut_through_each_other_are_reported settings_are_answered
