@@ -7,8 +7,9 @@
  * Each motor has at most one deadline: the end of its pulse while it is high, else its next step, and before it the
  * change of DIR if the step is the first of another direction.
  *
- * What comes from the main loop takes effect on a grid of GRID_TICKS since the motion began, or since it was parked:
- * what the pins do then depends on the plan alone, and not on when the main loop got round to asking. */
+ * What comes from the main loop takes effect on a grid of GRID_TICKS since the motion began, or since it was parked;
+ * the next motion begins on it, too. What the pins do then depends on the plan alone, and not on when the main loop got
+ * round to asking. */
 #include "motion/stepgen.h"
 #include "hal/hal.h"
 
@@ -42,7 +43,7 @@ static struct {
     uint32_t now; /* the armed deadline */
     uint32_t end; /* where the taken piece ends and the next begins */
     uint32_t pulse, setup, slack;
-    uint32_t begun; /* when the motion began: the grid's origin */
+    uint32_t begun; /* when the motion, or the one before, began: the grid's origin */
     uint8_t pins;   /* pen and enable of the taken piece */
     bool set_pins;  /* to be written at set_at */
     uint32_t set_at;
@@ -348,7 +349,9 @@ void stepgen_start(void) {
     if (g.halted || g.want_hold || __atomic_load_n(&g.running, __ATOMIC_ACQUIRE) || g.head == g.tail) return;
     g.running = true;
     g.hold = g.asked = false;
-    g.now = g.end = g.begun = hal_now() + LEAD_TICKS;
+    uint32_t now = hal_now() + LEAD_TICKS;
+    now += (GRID_TICKS - (now - g.begun)) % GRID_TICKS;
+    g.now = g.end = g.begun = now;
     hal_timer_arm(g.now);
 }
 

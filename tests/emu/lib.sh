@@ -1,5 +1,12 @@
-# lib.sh - for the tests of the boards: runs an image in its emulator and the same program on the simulator with one
-# scene, and compares what the pins did. Prints cmocka's lines.
+# lib.sh - for the tests of the boards: runs an image in its emulator and the same program on the simulator, and compares
+# what the pins did and what the console said. Prints cmocka's lines.
+#
+#     scene NAME US [DRAWINGS]    tests/emu/scenes/NAME.stim in both, every edge within US microseconds of the other's; the run
+#                                 ends after so many drawings (1), or with the scene's own `quit`
+#     says TEXT                   ... and the console of the last scene said that (an extended regular expression)
+#     power_off                   forgets what was kept: the next scene runs on a new board
+#
+# What is kept without power goes from one scene to the next.
 ridgeline=${RIDGELINE:-build/host/ridgeline}
 build=${BUILDDIR:-build}
 work=$(mktemp -d)
@@ -14,57 +21,87 @@ quiet() {
         -e '^Timer with period zero, disabling' -e '^SSYS: write at bad offset 0x140' "$@"
 }
 
-run_lm3s6965() { # stim
+run_lm3s6965() { # stim, drawings
     gpio=/machine/unattached/device
     wires= i=0
     for n in x_step x_dir y_step y_dir pen enable; do wires=$wires,pin=$n:${gpio}[9]@$i i=$((i + 1)); done
     i=0
     for n in limit_x limit_y button estop; do wires=$wires,input=$n:${gpio}[12]@$i:low i=$((i + 1)); done
     # 16 ns an instruction: 62 million a second on a 50 MHz chip. No sleeping: see hal_idle of the port.
-    run_qemu lm3s6965evb 4 "$1" "$wires"
+    run_qemu lm3s6965evb 4 "$1" "$2" "$wires"
 }
 
-run_nrf51() { # stim
+run_nrf51() { # stim, drawings
     gpio=/machine/nrf51
     wires=
     for n in x_step@3 x_dir@2 y_step@1 y_dir@18 pen@20 enable@16; do wires=$wires,pin=${n%@*}:$gpio@${n#*@}; done
     for n in limit_x@23 limit_y@22 button@17 estop@21; do wires=$wires,input=${n%@*}:$gpio@${n#*@}:low; done
-    run_qemu microbit 6 "$1" "$wires"
+    flash=
+    [ -e "$work/keep/emu" ] && flash="-device loader,file=$work/keep/emu,addr=0x3c000,force-raw=on"
+    run_qemu microbit 6 "$1" "$2" "$wires,store=$work/keep/emu,flash=0x3c000+0x4000" "$flash"
 }
 
-run_qemu() { # machine, 2^n ns an instruction, stim, wires
+run_qemu() { # machine, 2^n ns an instruction, stim, drawings, wires, other options
+    # shellcheck disable=SC2086
     timeout 300 qemu-system-arm -M "$1" -display none -monitor none -serial "file:$work/emu.txt" \
-        -icount "shift=$2,align=off,sleep=off" -d guest_errors -D "$work/emu.log" \
-        -plugin "$build/emu/scope.so,vcd=$work/emu.vcd,stim=$3,drawings=${drawings:-1}$4" -kernel "$build/firmware/$board.elf" \
+        -icount "shift=$2,align=off,sleep=off" -d guest_errors -D "$work/emu.log" $6 \
+        -plugin "$build/emu/scope.so,vcd=$work/emu.vcd,stim=$3,drawings=$4$5" -kernel "$build/firmware/$board.elf" \
         >"$work/emu.said" 2>&1 || return 1
     cat "$work/emu.said" "$work/emu.log" 2>/dev/null | quiet >"$work/emu.err"
     [ ! -s "$work/emu.err" ]
 }
 
-run_rp2040() { # stim
+run_rp2040() { # stim, drawings
     EMU_MODULES=$build/emu timeout 300 node tests/emu/rp2040.mjs "$build/firmware/rp2040.bin" "$1" \
-        "$work/emu.vcd" "$work/emu.txt" 1 >"$work/emu.err" 2>&1 && [ ! -s "$work/emu.err" ]
+        "$work/emu.vcd" "$work/emu.txt" "$2" "$work/keep/emu" >"$work/emu.err" 2>&1 && [ ! -s "$work/emu.err" ]
 }
 
-scene() { # name, most us that an edge may differ
+# What both consoles say alike: not the board's name, nor numbers that were true a moment earlier or later, nor flow control,
+# which depends on how fast a board is.
+said() {
+    LC_ALL=C tr -d '\021\023' <"$1" | LC_ALL=C sed -e 's/ on [a-z0-9]*; help/ on BOARD; help/' -e '/settings could not be kept/d' \
+        -e 's/MPos:[-0-9.,]*/MPos:/; s/Done:[0-9]*/Done:/; s/Left:[0-9?]*/Left:/'
+}
+
+scene() { # name, most us that an edge may differ, drawings
+    name=$1
     stim=tests/emu/scenes/$1.stim
-    rm -f "$work"/*
-    if ! "$build/emu/sim-$board" "$stim" "$work/sim.vcd" "$work/sim.txt" 1; then
+    mkdir -p "$work/keep"
+    rm -f "$work"/sim.* "$work"/emu.* "$work"/difference
+    if ! "$build/emu/sim-$board" "$stim" "$work/sim.vcd" "$work/sim.txt" "${3:-1}" "$work/keep/sim"; then
         bad "$1: simulator"
-    elif ! "run_$board" "$stim"; then
+    elif ! "run_$board" "$stim" "${3:-1}"; then
         bad "$1: emulator"
         head -20 "$work/emu.err" "$work/emu.txt"
     else
         "$ridgeline" trace "$work/sim.vcd" "$work/emu.vcd" >"$work/difference"
         us=$(sed -n '1s/^same sequence.* difference \([0-9.]*\) us at most.*/\1/p' "$work/difference")
-        if [ -n "$us" ] && awk "BEGIN { exit !($us <= $2) }"; then
-            echo "[       OK ] $board $1"
-            echo "# $board $1: $(sed -n '1s/^same sequence: //p' "$work/difference")"
-        else
+        said "$work/sim.txt" >"$work/sim.said"
+        said "$work/emu.txt" >"$work/emu.said"
+        if [ -z "$us" ] || ! awk "BEGIN { exit !($us <= $2) }"; then
             bad "$1: pins differ"
             cat "$work/difference" "$work/emu.txt"
+        elif ! diff -a "$work/sim.said" "$work/emu.said" >"$work/difference"; then
+            bad "$1: the consoles say different things"
+            cat "$work/difference"
+        else
+            echo "[       OK ] $board $1"
+            echo "# $board $1: $us us at most between $(grep -c '^[01]' "$work/emu.vcd") pin changes here and on the simulator"
         fi
     fi
+}
+
+says() { # text
+    if LC_ALL=C grep -aqE -e "$1" "$work/emu.said"; then
+        echo "[       OK ] $board $name: says $1"
+    else
+        bad "$name: does not say $1"
+        cat "$work/emu.said"
+    fi
+}
+
+power_off() {
+    rm -rf "$work/keep"
 }
 
 bad() {

@@ -3,6 +3,7 @@
  *
  *     -plugin scope.so,vcd=out.vcd,stim=in.txt,pin=x_step:PATH@LINE,...,input=limit_x:PATH@LINE:low,...
  *
+ * store=FILE,flash=ADDRESS+BYTES writes that part of the flash to the file when the run ends.
  * drawings=N ends the run 20 ms after `enable` has gone off for the N-th time. A byte that the UART model cannot take
  * is written to stderr, where the test finds it.
  *
@@ -47,6 +48,7 @@ extern void *qemu_chr_find(const char *name);
 extern int qemu_chr_be_can_write(void *chardev);
 extern void qemu_chr_be_write(void *chardev, const uint8_t *buf, int len);
 extern void qemu_system_shutdown_request(int cause);
+extern void cpu_physical_memory_rw(uint64_t at, void *buf, uint64_t bytes, bool write);
 
 EXPORT int qemu_plugin_version = 1;
 
@@ -69,6 +71,8 @@ static struct {
     stim_t *stim;
     int stims, at, byte;
     bool started;
+    char store[160];
+    unsigned flash_at, flash_bytes;
     _Alignas(16) unsigned char timer[256]; /* a QEMUTimer, which is smaller */
     _Alignas(16) unsigned char quiet[256];
 } g = {.written_ns = -1, .first_ns = -1};
@@ -176,6 +180,13 @@ static void at_exit(qemu_plugin_id_t id, void *unused) {
     (void)id, (void)unused;
     fprintf(g.vcd, "#%lld\n", (long long)qemu_clock_get_ns(CLOCK_VIRTUAL));
     fclose(g.vcd);
+    FILE *f = g.store[0] ? fopen(g.store, "wb") : NULL;
+    if (!f) return;
+    void *flash = malloc(g.flash_bytes);
+    cpu_physical_memory_rw(g.flash_at, flash, g.flash_bytes, false);
+    fwrite(flash, 1, g.flash_bytes, f);
+    free(flash);
+    fclose(f);
 }
 
 static void parse_wire(wire_t *w, const char *text) {
@@ -189,6 +200,8 @@ static bool parse(const char *arg) {
     char name[16], rest[160];
     if (strncmp(arg, "vcd=", 4) == 0) return (g.vcd = fopen(arg + 4, "w")) != NULL;
     if (strncmp(arg, "stim=", 5) == 0) return (g.stims = stim_read(arg + 5, &g.stim)) >= 0;
+    if (sscanf(arg, "store=%159s", g.store) == 1) return true;
+    if (sscanf(arg, "flash=%i+%i", (int *)&g.flash_at, (int *)&g.flash_bytes) == 2) return true;
     if (sscanf(arg, "drawings=%d", &g.to_draw) == 1) return true;
     if (sscanf(arg, "input=%15[^:]:%159s", name, rest) == 2 && stim_input(name) >= 0) {
         parse_wire(&g.input[stim_input(name)], rest);

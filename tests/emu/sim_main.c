@@ -1,7 +1,9 @@
 /* sim_main.c - the program of a board on the simulator: firmware/main.c itself, with the board's capacities, on the
  * simulated machine. Its recorded trace is what the board's pins are compared with.
  *
- *     sim-BOARD STIM OUT.vcd OUT.txt DRAWINGS */
+ *     sim-BOARD STIM OUT.vcd OUT.txt DRAWINGS [STORE]
+ *
+ * STORE keeps the saved settings and scene from one run to the next, as the chip's flash does. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -20,12 +22,33 @@ static struct {
     int stims;
     int drawings, to_draw;
     bool started;
+    const char *store;
 } g;
+
+static void load_store(void) {
+    static uint32_t slot[HAL_STORE_BYTES / 4];
+    FILE *f = fopen(g.store, "rb");
+    for (int i = 0; f && i < HAL_STORE_SLOTS; i++)
+        if (fread(slot, sizeof slot, 1, f) == 1) hal_store_write(i, slot, sizeof slot);
+    if (f) fclose(f);
+}
+
+static int save_store(void) {
+    static uint32_t slot[HAL_STORE_BYTES / 4];
+    FILE *f = fopen(g.store, "wb");
+    int err = f ? 0 : -1;
+    for (int i = 0; f && i < HAL_STORE_SLOTS; i++) {
+        hal_store_read(i, slot, sizeof slot);
+        if (fwrite(slot, sizeof slot, 1, f) != 1) err = -1;
+    }
+    return f && fclose(f) ? -1 : err;
+}
 
 static void finish(void *ctx) {
     (void)ctx;
     int err = vcd_end(&g.vcd, sim_now());
     if (fclose(g.trace) || fclose(g.console)) err = -1;
+    if (g.store && save_store()) err = -1;
     if (sim_fault()) fprintf(stderr, "fault: %s\n", sim_fault());
     exit(err || sim_fault() ? 1 : 0);
 }
@@ -62,7 +85,8 @@ static void listen(void *ctx, const char *text, size_t bytes) {
 }
 
 int main(int argc, char **argv) {
-    if (argc != 5) return 2;
+    if (argc != 5 && argc != 6) return 2;
+    g.store = argc == 6 ? argv[5] : NULL;
     g.stims = stim_read(argv[1], &g.stim);
     g.trace = fopen(argv[2], "wb");
     g.console = fopen(argv[3], "wb");
@@ -71,6 +95,7 @@ int main(int argc, char **argv) {
     sim_reset();
     sim_console_reset();
     sim_console_listen(listen, NULL);
+    if (g.store) load_store();
     vcd_begin(&g.vcd, vcd_write_file, g.trace, NULL, argv[1], 0);
     sim_record(record, &g.vcd);
     play(false);
