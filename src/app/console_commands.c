@@ -80,6 +80,7 @@ static int save(console_t *c) {
 
 int console_keep_settings(console_t *c) {
     if (c->loading) return 0;
+    c->kept_machine = c->session.settings.machine; /* until the power goes, even if it cannot be kept */
     size_t room, text;
     store_record_t *r = borrow(c, &room, &text);
     if (text < sizeof AUTORUN) return ERR_FULL;
@@ -88,9 +89,7 @@ int console_keep_settings(console_t *c) {
         memcpy(r->text + len, AUTORUN, sizeof AUTORUN);
         len += (int)sizeof AUTORUN - 1;
     }
-    int err = keep_text(c, STORE_SETTINGS, r, len, room);
-    if (!err) c->kept_machine = c->session.settings.machine;
-    return err;
+    return keep_text(c, STORE_SETTINGS, r, len, room);
 }
 
 /* Line by line. A plot may use the memory that the text lies in: it is the last line. */

@@ -30,7 +30,8 @@ typedef struct motor {
     uint32_t fall; /* tick at which the pulse ends */
     bool high;
     bool turn;     /* DIR must change before the next step */
-    bool forward;  /* level of DIR, or what it will be after the turn */
+    bool forward;  /* of the steps to come */
+    bool dir;      /* level of DIR */
     int32_t moved; /* counted pulses */
 } motor_t;
 
@@ -75,7 +76,8 @@ typedef struct edges {
 
 static inline void write_dir(edges_t *e, int m) {
     e->mask |= DIR_PIN[m];
-    if (g.motor[m].forward) e->value |= DIR_PIN[m];
+    g.motor[m].dir = g.motor[m].forward;
+    if (g.motor[m].dir) e->value |= DIR_PIN[m];
 }
 
 /* Begins or ends the motor's pulse if that is due. */
@@ -108,7 +110,7 @@ static inline void take_axis(int m, const stepgen_axis_piece_t *p) {
     a->next_q32 = ((uint64_t)g.end << 32) + p->first_q32;
     a->interval_q32 = p->interval_q32;
     a->add_q32 = p->add_q32;
-    a->turn = p->forward != a->forward;
+    a->turn = p->forward != a->dir;
     a->forward = p->forward;
 }
 
@@ -317,7 +319,15 @@ void stepgen_isr(void) {
 
 void stepgen_init(stepgen_piece_t *queue, uint32_t slots, uint32_t pulse_ticks, uint32_t setup_ticks) {
     hal_timer_cancel();
-    hal_pins_write(HAL_X_STEP | HAL_X_DIR | HAL_Y_STEP | HAL_Y_DIR | HAL_PEN, 0);
+    edges_t e = {HAL_X_STEP | HAL_Y_STEP | HAL_PEN, 0};
+    const bool on = g.pins & HAL_ENABLE;
+    if (!on) g.begun = 0;
+    for (int m = 0; m < 2;
+         m++) { /* of motors that are on as it was: a halt may have come between deciding and writing */
+        g.motor[m] = (motor_t){.forward = on && g.motor[m].dir};
+        write_dir(&e, m);
+    }
+    hal_pins_write(e.mask, e.value);
     g.queue = queue;
     g.mask = slots - 1;
     g.head = g.tail = 0;
@@ -331,7 +341,6 @@ void stepgen_init(stepgen_piece_t *queue, uint32_t slots, uint32_t pulse_ticks, 
     g.pins = 0;
     g.rest = true;
     g.starved = g.late = 0;
-    for (int m = 0; m < 2; m++) g.motor[m] = (motor_t){0};
 }
 
 stepgen_piece_t *stepgen_slot(void) {

@@ -49,7 +49,7 @@ typedef struct stepgen_piece {
 #define STEPGEN_SPEED_TICKS 16
 
 /* queue: slots pieces, a power of two, the caller's until the next init. Stops what runs and clears all
- * pins, but motors that are on stay on. Positions begin at 0. Context: main loop. */
+ * pins, but motors that are on stay on, with DIR as it is. Positions begin at 0. Context: main loop. */
 void stepgen_init(stepgen_piece_t *queue, uint32_t slots, uint32_t pulse_ticks, uint32_t setup_ticks);
 /* The slot to fill next, or NULL when the queue is full. Context: main loop. */
 stepgen_piece_t *stepgen_slot(void);

@@ -207,7 +207,7 @@ static int64_t span_length(const tracer_t *t, const span_t *sp, int64_t s_q16, i
 
 static void trace_span(tracer_t *t, const span_t *sp, axis_t axis[2], bool last, bool rest) {
     if (sp->to_q16 <= sp->from_q16 && !last) return;
-    for (int64_t s = sp->from_q16;;) {
+    for (int64_t s = sp->from_q16; !stepgen_halted();) { /* a halt in a long line is to be heard of at once */
         int64_t pitch = INT64_MAX / 2;
         for (int m = 0; m < 2; m++)
             if (axis[m].left && axis[m].pitch_q16 < pitch) pitch = axis[m].pitch_q16;

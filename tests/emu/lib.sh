@@ -1,12 +1,11 @@
 # lib.sh - for the tests of the boards: runs an image in its emulator and the same program on the simulator, and compares
 # what the pins did and what the console said. Prints cmocka's lines.
 #
-#     scene NAME US [DRAWINGS]    tests/emu/scenes/NAME.stim in both, every edge within US microseconds of the other's; the run
+#     scene NAME US [DRAWINGS]    tests/emu/scenes/NAME.stim, or the board's own of that name, in both; every edge within US microseconds of the other's; the run
 #                                 ends after so many drawings (1), or with the scene's own `quit`
+#     again NAME US [DRAWINGS]    the same on the board of the last scene: its power was off and is on again
 #     says TEXT                   ... and the console of the last scene said that (an extended regular expression)
-#     power_off                   forgets what was kept: the next scene runs on a new board
-#
-# What is kept without power goes from one scene to the next.
+# A scene is played on a new board, on which nothing has been saved.
 ridgeline=${RIDGELINE:-build/host/ridgeline}
 build=${BUILDDIR:-build}
 work=$(mktemp -d)
@@ -43,7 +42,7 @@ run_nrf51() { # stim, drawings
 
 run_qemu() { # machine, 2^n ns an instruction, stim, drawings, wires, other options
     # shellcheck disable=SC2086
-    timeout 300 qemu-system-arm -M "$1" -display none -monitor none -serial "file:$work/emu.txt" \
+    timeout ${emu_s:-300} qemu-system-arm -M "$1" -display none -monitor none -serial "file:$work/emu.txt" \
         -icount "shift=$2,align=off,sleep=off" -d guest_errors -D "$work/emu.log" $6 \
         -plugin "$build/emu/scope.so,vcd=$work/emu.vcd,stim=$3,drawings=$4$5" -kernel "$build/firmware/$board.elf" \
         >"$work/emu.said" 2>&1 || return 1
@@ -52,8 +51,8 @@ run_qemu() { # machine, 2^n ns an instruction, stim, drawings, wires, other opti
 }
 
 run_rp2040() { # stim, drawings
-    EMU_MODULES=$build/emu timeout 300 node tests/emu/rp2040.mjs "$build/firmware/rp2040.bin" "$1" \
-        "$work/emu.vcd" "$work/emu.txt" "$2" "$work/keep/emu" >"$work/emu.err" 2>&1 && [ ! -s "$work/emu.err" ]
+    STORE=$work/keep/emu EMU_MODULES=$build/emu timeout 300 node tests/emu/rp2040.mjs "$build/firmware/rp2040.bin" "$1" \
+        "$work/emu.vcd" "$work/emu.txt" "$2" >"$work/emu.err" 2>&1 && [ ! -s "$work/emu.err" ]
 }
 
 # What both consoles say alike: not the board's name, nor numbers that were true a moment earlier or later, nor flow control,
@@ -64,11 +63,17 @@ said() {
 }
 
 scene() { # name, most us that an edge may differ, drawings
+    rm -rf "$work/keep"
+    again "$@"
+}
+
+again() {
     name=$1
-    stim=tests/emu/scenes/$1.stim
+    stim=tests/emu/scenes/$board/$1.stim
+    [ -e "$stim" ] || stim=tests/emu/scenes/$1.stim
     mkdir -p "$work/keep"
     rm -f "$work"/sim.* "$work"/emu.* "$work"/difference
-    if ! "$build/emu/sim-$board" "$stim" "$work/sim.vcd" "$work/sim.txt" "${3:-1}" "$work/keep/sim"; then
+    if ! timeout 120 "$build/emu/sim-$board" "$stim" "$work/sim.vcd" "$work/sim.txt" "${3:-1}" "$work/keep/sim"; then
         bad "$1: simulator"
     elif ! "run_$board" "$stim" "${3:-1}"; then
         bad "$1: emulator"
@@ -98,10 +103,6 @@ says() { # text
         bad "$name: does not say $1"
         cat "$work/emu.said"
     fi
-}
-
-power_off() {
-    rm -rf "$work/keep"
 }
 
 bad() {

@@ -7,8 +7,8 @@
 // instruction and ends the run by returning true; finish() is called then.
 // The package's own run loop is not used: time is advanced instruction by instruction, and what was pending before WFI ends it.
 // The boot ROM is stood in for: the boot loader's checksum is checked, it is copied to RAM and entered, as the ROM does; and
-// flash routines are found where the ROM has them. Any warning of the emulator fails the run.
-import { readFileSync, openSync, writeSync, closeSync, writeFileSync } from 'node:fs';
+// flash routines are found where the ROM has them. The file named by $STORE keeps the last 16 KB of flash for the next run. Any warning of the emulator fails the run.
+import { readFileSync, openSync, writeSync, closeSync, writeFileSync, existsSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
 const require = createRequire(pathToFileURL(process.env.EMU_MODULES + '/'));
@@ -133,6 +133,8 @@ for (const pin of Object.values(INPUT)) setInput(pin, true);
 // ---- power on: what the boot ROM does
 mcu.flash.fill(0xff);
 mcu.flash.set(readFileSync(image), 0);
+const STORE_AT = 0x200000 - 16384, store = process.env.STORE;
+if (store && existsSync(store)) mcu.flash.set(readFileSync(store), STORE_AT);
 const boot = mcu.flash.slice(0, 256);
 let crc = 0xffffffff;
 for (let i = 0; i < 252; i++) {
@@ -166,6 +168,7 @@ buffer.push(`#${Math.round(clock.nanos * 1000)}\n`);
 flush();
 closeSync(vcd);
 writeFileSync(textFile, text, 'latin1');
+if (store) writeFileSync(store, mcu.flash.slice(STORE_AT, STORE_AT + 16384));
 probed?.finish(text);
 for (const p of problems) console.error(`rp2040js: ${p}`);
 process.exit(problems.length ? 1 : 0);

@@ -48,7 +48,8 @@ extern void *qemu_chr_find(const char *name);
 extern int qemu_chr_be_can_write(void *chardev);
 extern void qemu_chr_be_write(void *chardev, const uint8_t *buf, int len);
 extern void qemu_system_shutdown_request(int cause);
-extern void cpu_physical_memory_rw(uint64_t at, void *buf, uint64_t bytes, bool write);
+extern void *qemu_get_cpu(int index);
+extern int cpu_memory_rw_debug(void *cpu, uint64_t at, void *buf, uint64_t bytes, bool write);
 
 EXPORT int qemu_plugin_version = 1;
 
@@ -183,8 +184,8 @@ static void at_exit(qemu_plugin_id_t id, void *unused) {
     FILE *f = g.store[0] ? fopen(g.store, "wb") : NULL;
     if (!f) return;
     void *flash = malloc(g.flash_bytes);
-    cpu_physical_memory_rw(g.flash_at, flash, g.flash_bytes, false);
-    fwrite(flash, 1, g.flash_bytes, f);
+    if (cpu_memory_rw_debug(qemu_get_cpu(0), g.flash_at, flash, g.flash_bytes, false) == 0)
+        fwrite(flash, 1, g.flash_bytes, f);
     free(flash);
     fclose(f);
 }
