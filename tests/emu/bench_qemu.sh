@@ -4,6 +4,6 @@ BUILDDIR=$1
 export BUILDDIR
 board=$2
 . tests/emu/lib.sh
-drawings=99
-"run_$board" "$3" || cat "$work/emu.err" >&2
+mkdir -p "$work/keep"
+"run_$board" "$3" 99 || cat "$work/emu.err" >&2
 cat "$work/emu.txt"

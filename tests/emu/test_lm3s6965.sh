@@ -3,6 +3,6 @@
 # QEMU does not model its flash controller: what is kept without power is tested on the others.
 board=lm3s6965
 . tests/emu/lib.sh
-for s in smooth perspective corexy horizon rand sinc status data cubes halo smooth60 rand60; do scene $s 0.5; done
+for s in smooth perspective corexy horizon rand sinc status data cubes halo smooth60; do scene $s 0.5; done
 . tests/emu/behave.sh
 finish
