@@ -156,7 +156,8 @@ bool picture_is_safe(const plot_t *plot, size_t bytes) {
 }
 
 size_t picture_bytes_least(const plot_t *plot) {
-    return hiding_bytes(plot, EACH_ROUGH, false) + 2 * PATH_BYTES_MIN;
+    bool turns = plot->kind == PLOT_SURFACES && plot->n == 1; /* half the horizons at a time */
+    return hiding_bytes(plot, turns ? EACH_ROUGH / 2 : EACH_ROUGH, false) + 2 * PATH_BYTES_MIN;
 }
 
 picture_progress_t picture_progress(const picture_t *p) {
