@@ -101,6 +101,7 @@ int area_draw(const solid_map_t *m, const area_tone_t *tone, uint8_t hatch_surfa
     *stats = (hidden_stats_t){.edges = m->solid->ne};
     edge_ink_t ink = {.lattice = area_lattice(m), .sink = job->sink, .stats = stats, .hatch_surface = hatch_surface};
     size_t part = job->bytes / SHARES & ~(size_t)7, tone_bytes = tone ? part * TONE_SHARES : 0;
+    if (tone && !tone->shadow && area_toner_bytes(m) < tone_bytes) tone_bytes = area_toner_bytes(m);
     size_t sort_bytes = part * (SHARES - INTERVALS_SHARES) - tone_bytes;
     uint8_t *mem = job->mem;
     intervals_init(&ink.parts, mem + sort_bytes + tone_bytes, part * INTERVALS_SHARES);

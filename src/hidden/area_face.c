@@ -205,6 +205,18 @@ static void sort(area_face_t *f, int32_t n) {
     }
 }
 
+/* An eye with everything in front of it is outside of all closed objects, and sees their outer sides only. */
+static bool is_turned_away(const solid_map_t *m, int32_t face) {
+    const solid_t *s = m->solid;
+    return s->object[s->face[face].object].kind != SOLID_OPEN && !m->any_behind && !area_looks_at_eye(m, face);
+}
+
+int32_t area_faces_most(const solid_map_t *m) {
+    int32_t n = 0;
+    for (int32_t k = 0; k < m->solid->nf; k++) n += !is_turned_away(m, k);
+    return n;
+}
+
 void area_faces_make(area_faces_t *faces, const solid_map_t *m, int32_t *corner_edge, uint8_t *state, int64_t *depths) {
     const solid_t *s = m->solid;
     find_edges(s, corner_edge);
@@ -215,18 +227,14 @@ void area_faces_make(area_faces_t *faces, const solid_map_t *m, int32_t *corner_
         area_face_t *f = &faces->face[faces->n];
         poly_vertex_t *v = faces->vertex + faces->vertices;
         int64_t *z = depths;
-        *f = (area_face_t){.face = k, .first = faces->vertices, .n = place(&faces->lattice, from, corner_edge, v, z)};
+        state[k] = AREA_TURNED_AWAY;
+        if (is_turned_away(m, k)) continue;
         state[k] = AREA_LEFT_OUT;
+        *f = (area_face_t){.face = k, .first = faces->vertices, .n = place(&faces->lattice, from, corner_edge, v, z)};
         if (f->n < 3 || !span(f, v, z)) continue;
         f->box = area_box_of(v, f->n);
         const poly_t whole = {v, &f->n, 1};
         if (area_is_thin(&whole, &f->box)) continue;
-        /* An eye with everything in front of it is outside of all closed objects, and sees their outer sides only. */
-        bool closed = s->object[from->object].kind != SOLID_OPEN && !m->any_behind;
-        if (closed && !area_looks_at_eye(m, k)) {
-            state[k] = AREA_TURNED_AWAY;
-            continue;
-        }
         state[k] = AREA_TAKES_PART;
         f->z_near = z[0];
         for (int32_t i = 1; i < f->n; i++) f->z_near = z[i] < f->z_near ? z[i] : f->z_near;

@@ -67,7 +67,9 @@ int64_t area_depth(const area_plane_t *p, poly_point_t at);
 /* What is left of a face that is cut off behind the eye may have so many corners. */
 #define AREA_CORNERS(map, n) ((map)->any_behind ? 2 * (n) : (n))
 
-/* Faces that are not seen from behind (closed objects) or edge-on. faces->face has room for all faces, ->vertex for
+/* How many faces may take part: not those of closed objects that are seen from behind. */
+int32_t area_faces_most(const solid_map_t *m);
+/* Those of them that are not seen edge-on. faces->face has room for area_faces_most() and one more, ->vertex for
  * AREA_CORNERS of all. corner_edge and depths: lent, one for each corner
  * and AREA_CORNERS of the largest face. state: of each face
  * of the scene, enum area_state (area_wires.h). */

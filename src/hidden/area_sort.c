@@ -201,10 +201,10 @@ typedef struct area_window {
 } area_window_t;
 
 /* Halves a window across its longer side. False if it is as small as windows get. */
-static bool halve(const area_window_t *w, area_window_t half[2]) {
+static bool halve(const area_window_t *w, int bits, area_window_t half[2]) {
     bool wide = w->box.x1 - w->box.x0 >= w->box.y1 - w->box.y0;
     int32_t from = wide ? w->box.x0 : w->box.y0, size = (wide ? w->box.x1 : w->box.y1) - from;
-    if (w->level == WINDOWS_DEEP || size < LAT_PER_MM / 2) return false;
+    if (w->level == WINDOWS_DEEP || size >> bits < LAT_PER_MM / 2) return false;
     half[0] = half[1] = (area_window_t){w->box, w->level + 1};
     *(wide ? &half[0].box.x1 : &half[0].box.y1) = from + size / 2;
     *(wide ? &half[1].box.x0 : &half[1].box.y0) = from + size / 2;
@@ -226,9 +226,9 @@ static int sort_windows(area_t *a, area_box_t all, const area_progress_t *progre
         area_window_t w = todo[--n], half[2];
         int32_t faces = count_in(a, &w.box);
         bool many = faces > WINDOW_FACES || faces > a->pool.pieces_max / PIECES_PER_FACE;
-        if (!many || !halve(&w, half)) {
+        if (!many || !halve(&w, a->faces.lattice.bits, half)) {
             int err = faces ? sort_window(a, &w.box) : 0;
-            many = err == ERR_FULL && !a->sink_failed && halve(&w, half);
+            many = err == ERR_FULL && !a->sink_failed && halve(&w, a->faces.lattice.bits, half);
             if (err && !many) return err;
         }
         if (many) { /* the half at the lower end is done first */
@@ -268,8 +268,9 @@ static int32_t most_corners(const solid_t *s) {
 static int lay_out(area_t *a, const solid_map_t *m, void *mem, size_t bytes) {
     const solid_t *s = m->solid;
     bump_t b = {mem, bytes};
-    a->faces.face = take(&b, (size_t)s->nf * sizeof(area_face_t));
-    a->stack = take(&b, ((size_t)s->nf + 1) * sizeof *a->stack);
+    size_t most = (size_t)area_faces_most(m) + 1;
+    a->faces.face = take(&b, most * sizeof(area_face_t));
+    a->stack = take(&b, most * sizeof *a->stack);
     a->state = take(&b, (size_t)s->nf);
     if (!a->faces.face || !a->stack || !a->state) return ERR_FULL;
     bump_t before = b;

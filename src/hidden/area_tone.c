@@ -10,6 +10,7 @@
 #define LIGHT_PAGE_LAT ((int64_t)100 * LAT_PER_MM) /* the scene seen from the light reaches so far from the origin */
 
 /* Of the toner's memory, in sixteenths: the lit polygons, those of one face moved, results, the clipper. */
+#define LEAST_BYTES 1024
 enum { LIT_SHARE = 6, MOVED_SHARE = 2, RESULT_SHARE = 3 };
 
 struct area_toner {
@@ -121,7 +122,7 @@ static size_t eights(size_t bytes) {
 static int lay_out(area_toner_t *t, uint8_t *at, size_t left, void **place) {
     const solid_t *s = t->m->solid;
     size_t heads = eights((size_t)s->nf * sizeof(int32_t)), fixed = heads + eights(SOLID_MAP_BYTES(s->nv));
-    if (left < fixed + 4096) return ERR_FULL;
+    if (left < fixed + LEAST_BYTES) return ERR_FULL;
     t->head = (int32_t *)(void *)at;
     *place = at + heads;
     at += fixed;
@@ -141,6 +142,11 @@ static int lay_out(area_toner_t *t, uint8_t *at, size_t left, void **place) {
     t->clip_mem = at;
     t->clip_bytes = part * (16 - LIT_SHARE - MOVED_SHARE - RESULT_SHARE);
     return 0;
+}
+
+size_t area_toner_bytes(const solid_map_t *m) {
+    return eights(sizeof(area_toner_t)) + eights((size_t)m->solid->nf * sizeof(int32_t)) +
+           eights(SOLID_MAP_BYTES(m->solid->nv)) + LEAST_BYTES;
 }
 
 int area_toner_make(area_toner_t **toner, const area_tone_t *tone, const solid_map_t *m, void *mem, size_t bytes,

@@ -22,6 +22,8 @@ typedef struct area_tone {
 
 typedef struct area_toner area_toner_t;
 
+/* What the toner takes when there are no shadows; with them it takes what there is. */
+size_t area_toner_bytes(const solid_map_t *m);
 /* Sorts the scene from the light. mem (aligned to 8) is kept, sort_mem only lent. Returns 0; ERR_FULL; ERR_VALUE for a
  * light that cannot be used. */
 int area_toner_make(area_toner_t **toner, const area_tone_t *tone, const solid_map_t *m, void *mem, size_t bytes,
