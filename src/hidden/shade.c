@@ -4,7 +4,7 @@
 #include "hidden/envelope.h"
 
 #define ONE_Q30 (INT32_C(1) << 30)
-#define SIGHT_SHIFT 28 /* a height of 60 bits times a distance of 30 */
+#define SIGHT_BITS 32 /* of a height that is multiplied by a distance of 30 */
 
 static int sign(int64_t v) {
     return (v > 0) - (v < 0);
@@ -37,8 +37,15 @@ shade_t shade_in_chart(const pencil_t k[2], const pencil_t m[2]) {
     return between(over, (const int64_t[2]){over[0], apart(k[1].w, m[0].w, n)});
 }
 
+static uint64_t size(int64_t v) {
+    return (uint64_t)(v < 0 ? -v : v);
+}
+
 shade_t shade_in_space(const int64_t k_z[2], const int64_t m_z[2], const int32_t d[2], int64_t noise) {
     const int64_t over[2] = {apart(k_z[0], m_z[0], noise), apart(k_z[1], m_z[1], noise)};
-    const int64_t far = k_z[1] >> SIGHT_SHIFT, near = m_z[0] >> SIGHT_SHIFT;
-    return between(over, (const int64_t[2]){(over[0] >> SIGHT_SHIFT) * d[0], far * d[0] - near * d[1]});
+    const uint64_t all = size(over[0]) | size(k_z[1]) | size(m_z[0]);
+    int shift = 0;
+    while (all >> shift >> SIGHT_BITS != 0) shift++;
+    const int64_t far = k_z[1] >> shift, near = m_z[0] >> shift;
+    return between(over, (const int64_t[2]){(over[0] >> shift) * d[0], far * d[0] - near * d[1]});
 }
