@@ -62,6 +62,20 @@ static bool join(windows_t *w, int32_t bin, const int32_t *list, const window_t 
     return false;
 }
 
+/* Is it within the noise when two lines are so far apart at some abscissa? Along steep lines the noise is across them:
+ * a unit of a is worth many of w. */
+static bool is_noise(const outline_line_t *s, const outline_line_t *t, int64_t apart) {
+    const int64_t size = apart < 0 ? -apart : apart;
+    if (size <= ENVELOPE_NOISE) return true;
+    return size * (s->q.a - s->p.a) <= envelope_noise(s->p, s->q) &&
+           size * (t->q.a - t->p.a) <= envelope_noise(t->p, t->q);
+}
+
+/* Is a window so low at one of its ends that nothing shows through? */
+static bool is_closed(const outline_line_t *lo, const outline_line_t *hi, int64_t height) {
+    return height <= 0 || is_noise(lo, hi, height);
+}
+
 int windows_insert(windows_t *w, int32_t a0, int32_t a1, const outline_line_t *lo, const outline_line_t *hi) {
     while (a0 < a1) {
         const int32_t bin = windows_bin(w, a0);
@@ -72,7 +86,7 @@ int windows_insert(windows_t *w, int32_t a0, int32_t a1, const outline_line_t *l
         window_t v = {
             .a0 = a0, .a1 = end, .lo = *lo, .hi = *hi, .low = pencil_min(lo0, lo1), .high = pencil_max(hi0, hi1)};
         a0 = end;
-        if (hi0 - lo0 <= ENVELOPE_NOISE && hi1 - lo1 <= ENVELOPE_NOISE) continue; /* nothing shows through */
+        if (is_closed(lo, hi, (int64_t)hi0 - lo0) && is_closed(lo, hi, (int64_t)hi1 - lo1)) continue;
         int32_t *list = windows_list_of(w, bin, v.low, v.high);
         if (join(w, bin, list, &v)) continue;
         int32_t at = w->free;
@@ -139,18 +153,17 @@ static int32_t at_zero(int64_t d0, int64_t d1) {
     return (int32_t)pencil_fraction(n, n + m);
 }
 
-/* What is within the noise of a line lies on it. */
-static int64_t off(int32_t v, int32_t line) {
-    const int64_t d = (int64_t)v - line;
-    return d > ENVELOPE_NOISE || d < -ENVELOPE_NOISE ? d : 0;
+/* How far the edge is above the line at x. What is within the noise lies on it. */
+static int64_t off(const outline_line_t *edge, const outline_line_t *line, int32_t x) {
+    const int64_t d = (int64_t)windows_line_at(edge, x) - windows_line_at(line, x);
+    return is_noise(edge, line, d) ? 0 : d;
 }
 
 /* The part of [s, t] in which the edge is between two lines; open: and off them. False if none. */
 static bool inside(const outline_line_t *lo, const outline_line_t *hi, const outline_line_t *edge, int32_t s, int32_t t,
                    bool open, windows_part_t *out) {
-    const int32_t e0 = windows_line_at(edge, s), e1 = windows_line_at(edge, t);
-    const int64_t over[2] = {off(e0, windows_line_at(lo, s)), off(e1, windows_line_at(lo, t))};
-    const int64_t under[2] = {-off(e0, windows_line_at(hi, s)), -off(e1, windows_line_at(hi, t))};
+    const int64_t over[2] = {off(edge, lo, s), off(edge, lo, t)};
+    const int64_t under[2] = {-off(edge, hi, s), -off(edge, hi, t)};
     *out = (windows_part_t){0, ONE_Q30};
     for (int k = 0; k < 2; k++) {
         const int64_t d0 = k ? under[0] : over[0], d1 = k ? under[1] : over[1];

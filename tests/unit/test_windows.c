@@ -159,6 +159,30 @@ static void test_joins(void **state) {
     }
 }
 
+/* Opens windows from a steep horizon up to a rim so much above it. Returns how many. */
+static int32_t open_above_steep(int32_t by) {
+    static int64_t mem[1000];
+    static pencil_t horizon[64];
+    const outline_line_t ground = {{1000, -100000}, {2000001, 33000000}}; /* a slope of 16.6 */
+    windows_t w;
+    envelope_t h;
+    envelope_count_t count = {0};
+    assert_int_equal(windows_init(&w, COLUMNS, mem, sizeof mem), 0);
+    assert_int_equal(envelope_init(&h, NULL, horizon, 64), 0);
+    envelope_clip(&h, ground.p, ground.q, NULL, NULL, &count);
+    const pencil_t p = {ground.p.a, ground.p.w + by}, q = {ground.q.a, ground.q.w + by};
+    assert_int_equal(windows_open(&w, &h, p, q, false), 0);
+    return w.present;
+}
+
+/* Steep edges that fall together are several units apart in w for one in a: nothing shows between them. */
+static void test_steep(void **state) {
+    (void)state;
+    assert_int_equal(open_above_steep(6), 0);
+    assert_int_equal(open_above_steep(60), 0);
+    assert_true(open_above_steep(70) > 0);
+}
+
 static void test_memory(void **state) {
     (void)state;
     static int64_t mem[100];
@@ -181,6 +205,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_random),
         cmocka_unit_test(test_joins),
+        cmocka_unit_test(test_steep),
         cmocka_unit_test(test_memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
