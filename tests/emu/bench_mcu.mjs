@@ -71,17 +71,18 @@ function table() {
 // Drawn to the end; what the board itself says of its memory.
 function memory(board, said) {
   console.log(`\n${board}\n`);
-  const at = said.lastIndexOf('> memory');
-  console.log(said.slice(at + 9).replace(/[\x11\x13\r]/g, '').split('\n').filter((l) => l && !l.startsWith('>')).map((l) => `    ${l}`).join('\n'));
+  const text = said.replace(/[\x11\x13\r]/g, ''), at = text.lastIndexOf('memory\nconsole');
+  if (at < 0) throw new Error(`${board}: no answer\n${text}`);
+  console.log(text.slice(at + 7).split('\n').filter((l) => l && !l.startsWith('>')).map((l) => `    ${l}`).join('\n'));
 }
 
 function qemu(board, shape, n, seconds) {
-  const stim = stimulus(shape, n, QUICK, `+${seconds}000000 type memory\\r\n+${seconds + 2}000000 quit`);
+  const stim = stimulus(shape, n, QUICK.replaceAll('200', '60'), `+${seconds}000000 type memory\\r\n+${seconds + 2}000000 quit`);
   return execFileSync('sh', ['tests/emu/bench_qemu.sh', build, board, stim], { encoding: 'latin1', timeout: 900e3 });
 }
 
 table();
 const r = pico('smooth', 60, 'quit', '', '+230000000 type memory\\r\n+230300000 quit');
 memory('Pico, smooth 60x60, A4, 100 mm/s, drawn to the end', r.text);
-for (const shape of ['smooth', 'random'])
-  memory(`micro:bit, ${shape} 60x60, drawn to the end on small paper`, qemu('nrf51', shape, 60, shape === 'smooth' ? 60 : 200));
+for (const [shape, n, seconds] of [['smooth', 60, 70], ['random', 32, 150]])
+  memory(`micro:bit, ${shape} ${n}x${n}, 60 mm/s, drawn to the end on small paper`, qemu('nrf51', shape, n, seconds));
