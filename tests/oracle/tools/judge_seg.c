@@ -257,5 +257,8 @@ int main(int argc, char **argv) {
     free(r.y);
     free(r.z);
     free(r.hole);
+    free((void *)profiles.first);
+    free((void *)profiles.point);
+    free((void *)profiles.gap);
     return good ? 0 : 1;
 }
