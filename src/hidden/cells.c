@@ -1,7 +1,10 @@
 /* cells.c - see cells.h. */
 #include "hidden/cells.h"
 
+#include "config.h"
 #include "hidden/sides.h"
+
+_Static_assert(CONFIG_PLOT_ITEMS <= 32, "a bit for each layer");
 
 /* Takes what is visible of a side in a vertical plane through the eye: of the other layers' facets in the cell only the
  * edges in the same plane count. */
@@ -91,21 +94,25 @@ static bool coincide(const sweep_t *s, const layer_t *l, const layer_t *m, int32
     return false;
 }
 
-/* Where two layers have the same edge, at least one of them with a facet in this cell, the first that has one draws it;
- * and if either has, nobody does again. */
-static void share_coinciding(sweep_t *s, int32_t i) {
-    for (int32_t m = 1; m < s->layers; m++) {
-        for (int32_t k = 0; k < m; k++) {
-            layer_t *a = &s->layer[k], *b = &s->layer[m];
-            if (!a->present && !b->present) continue;
-            for (int side = 0; side < SIDES; side++) {
-                uint8_t *a_done = side_done(a, i, side), *b_done = side_done(b, i, side);
-                if (*a_done && *b_done) continue;
-                if (!side_coincides(s, a, b, i, side)) continue;
-                const bool done = *a_done || *b_done;
-                if (done || a->present) *b_done = 1;
-                if (done || !a->present) *a_done = 1;
-            }
+/* Does layer k draw what layer m has as well, or has it been drawn? */
+static bool draws_for(const sweep_t *s, int32_t k, int32_t m, uint32_t done, uint32_t shared) {
+    const bool first = k < m || !s->layer[m].present;
+    return (done >> k & 1) != 0 || (first && s->layer[k].present && (shared >> k & 1) == 0);
+}
+
+/* Where layers have the same edge, the first that has a facet in this cell draws it; if one of them has been drawn,
+ * none is again. What had been done before must be told from what is shared now: there may be three. */
+static void share_coinciding(sweep_t *s, int32_t i, int side) {
+    uint32_t done = 0, shared = 0;
+    for (int32_t m = 0; m < s->layers; m++) done |= (uint32_t)*side_done(&s->layer[m], i, side) << m;
+    for (int32_t m = 0; m < s->layers; m++) {
+        if (done >> m & 1) continue;
+        for (int32_t k = 0; k < s->layers; k++) {
+            if (k == m || !draws_for(s, k, m, done, shared)) continue;
+            if (!side_coincides(s, &s->layer[k], &s->layer[m], i, side)) continue;
+            shared |= UINT32_C(1) << m;
+            *side_done(&s->layer[m], i, side) = 1;
+            break;
         }
     }
 }
@@ -168,7 +175,7 @@ static int cell(sweep_t *s, int32_t i, near_edges_t near) {
             l->spans = windows_spans(l->outline, l->lines, l->span);
         }
     }
-    share_coinciding(s, i);
+    for (int side = 0; side < SIDES && present > 0; side++) share_coinciding(s, i, side);
     for (int32_t m = 0; m < s->layers && err == 0; m++) {
         if (!s->layer[m].present) continue;
         find_new(s, &s->layer[m], i, near);
