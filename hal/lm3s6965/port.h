@@ -5,7 +5,7 @@
 #include "hal/hal.h"
 #include "hal/lm3s6965/regs.h"
 
-#define AHEAD_ENTRY 56
+#define AHEAD_ENTRY 72
 #define AHEAD_GAP 4
 #define AHEAD_CHAIN 24
 #define AHEAD_SLACK 48

@@ -1,6 +1,6 @@
 # behave.sh - what a machine does when it is disturbed; for the tests of the boards, after lib.sh. switch_us: how late what a
 # switch does may be.
-within=0.5
+within=0.8
 [ $board = nrf51 ] && within=2
 scene hold $within
 says '^<Run.MPos:.*Pen:down'

@@ -1,5 +1,5 @@
 # power.sh - what is kept without power; for the tests of the boards, after lib.sh.
-within=0.5
+within=0.8
 [ $board = nrf51 ] && within=2
 scene keep $within 9
 says '^saved'
