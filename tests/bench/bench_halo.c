@@ -1,25 +1,19 @@
 /* Haloed lines: CUT over the paper's table of random edges (Franklin & Akman 1987, section 4) and on to a million, and
- * CUT and DRAW over Figure 4, 28 x 28 cubes. "Average length L" means that dx and dy are uniform in +-L; such edges
- * begin at a random place of the unit square. CPU time, the least of several runs. */
-#include "hidden/halo.h"
+ * CUT and DRAW over Figure 4, 28 x 28 cubes (tests/oracle/halo_scenes.h). CPU time, the least of several runs. */
 #include "tests/bench/peers/plain_grid.h"
+#include "tests/oracle/halo_scenes.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
 
-#define PAGE 8600000 /* lat: the short side of an A4 sheet, with margins */
+#define PAGE HALO_SCENE_PAGE
 
 static double now_ns(void) {
     struct timespec t;
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
     return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
-}
-
-static double uniform(uint64_t *rng) {
-    *rng = *rng * 6364136223846793005u + 1442695040888963407u;
-    return (double)(*rng >> 11) * 0x1p-53;
 }
 
 static int count_piece(void *ctx, int32_t id, uint32_t from, uint32_t to) {
@@ -92,15 +86,8 @@ static void table(void *mem, size_t bytes, halo_edge_t *edge) {
            "DRAW", "plain");
     double at_50000[2] = {0, 0};
     for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
-        uint64_t rng = 1987;
         const double l = row[k].length;
-        for (int32_t i = 0; i < row[k].n; i++) {
-            double x = uniform(&rng), y = uniform(&rng);
-            double u = x + l * (2 * uniform(&rng) - 1), v = y + l * (2 * uniform(&rng) - 1);
-            int32_t z0 = (int32_t)(uniform(&rng) * HALO_Z_MAX), z1 = (int32_t)(uniform(&rng) * HALO_Z_MAX);
-            edge[i] = (halo_edge_t){
-                {(int32_t)(x * PAGE), (int32_t)(y * PAGE), z0}, {(int32_t)(u * PAGE), (int32_t)(v * PAGE), z1}, i};
-        }
+        halo_scene_random(edge, row[k].n, l);
         const double n = row[k].n;
         int64_t others;
         times_t t = measure(edge, row[k].n, (int32_t)(.02 * l * PAGE), mem, bytes);
@@ -116,23 +103,9 @@ static void table(void *mem, size_t bytes, halo_edge_t *edge) {
     }
 }
 
-/* k x k unit cubes, 1.5 apart, seen from 25 degrees above. */
 static void cubes(int k, void *mem, size_t bytes, halo_edge_t *edge) {
-    const double up = 25 * M_PI / 180, turn = 30 * M_PI / 180, scale = PAGE / (1.5 * k * 1.45);
-    int32_t n = 0;
-    for (int c = 0; c < k * k; c++) {
-        halo_point_t corner[8];
-        for (int v = 0; v < 8; v++) {
-            double x = 1.5 * (c % k) + (v & 1), y = 1.5 * (c / k) + (v >> 1 & 1), z = v >> 2;
-            double side = x * cos(turn) + y * sin(turn), away = -x * sin(turn) + y * cos(turn);
-            corner[v] =
-                (halo_point_t){(int32_t)lround(scale * side), (int32_t)lround(scale * (away * sin(up) + z * cos(up))),
-                               (int32_t)lround(scale * (z * sin(up) - away * cos(up)))};
-        }
-        for (int v = 0; v < 8; v++)
-            for (int bit = 1; bit < 8; bit *= 2)
-                if (!(v & bit)) edge[n] = (halo_edge_t){corner[v], corner[v | bit], n}, n++;
-    }
+    const int32_t n = 12 * k * k;
+    const double scale = halo_scene_cubes(edge, k);
     times_t t = measure(edge, n, (int32_t)(.05 * scale), mem, bytes);
     printf("%2d x %2d cubes, %d edges, %lld crossings: CUT %.3f ms, DRAW %.3f ms (%lld pieces)\n", k, k, n,
            (long long)t.crossings, t.cut_ns * 1e-6, t.draw_ns * 1e-6, (long long)t.pieces);

@@ -86,56 +86,64 @@ static void page_of(const camera_t *cam, page_view_t *v, exact_eye_t *eye) {
     v->y1 = (double)cam->window.y1_lat / LAT_PER_MM;
 }
 
-/* area: NULL for the convex kernel. */
-static int draw(const solid_scene_t *s, const mesh_t *m, solid_ref_t *ref, page_view_t *view, ink_t *ink,
-                area_stats_t *area) {
-    solid_t solid;
-    solid_map_t map;
-    camera_t cam;
-    hidden_stats_t stats;
-    size_t bytes = solid_bytes(&m, 1), more = convex_bytes(m->faces, m->corners, m->segments) + 65536;
-    if (area) more = area_bytes(m->faces, m->corners) + 65536;
-    void *mem = malloc(bytes), *place = malloc(SOLID_MAP_BYTES(m->nv)), *kernel = malloc(more);
-    int err = solid_build(&solid, &m, 1, mem, bytes);
+int solid_stage_make(solid_stage_t *t, const solid_scene_t *s, bool area) {
+    *t = (solid_stage_t){.area = area};
+    solid_scene_mesh(&s->ref, &t->mesh);
+    const mesh_t *m = &t->mesh;
+    size_t bytes = solid_bytes(&m, 1);
+    t->bytes = (area ? area_bytes(m->faces, m->corners) : convex_bytes(m->faces, m->corners, m->segments)) + 65536;
+    t->mem[0] = malloc(bytes);
+    t->mem[1] = malloc(SOLID_MAP_BYTES(m->nv));
+    t->mem[2] = malloc(t->bytes);
+    if (!t->mem[0] || !t->mem[1] || !t->mem[2]) abort();
+    int err = solid_build(&t->solid, &m, 1, t->mem[0], bytes);
     view_box_t box = {.solid = true};
     for (int k = 0; k < 3; k++) {
-        box.lo[k] = solid.lo[k];
-        box.hi[k] = solid.hi[k];
+        box.lo[k] = t->solid.lo[k];
+        box.hi[k] = t->solid.hi[k];
     }
-    if (!err) err = camera_setup(&cam, &s->set, &box);
-    if (!err) err = solid_map_setup(&map, &solid, &cam, place);
-    if (!err) {
-        page_of(&cam, view, &ref->eye);
-        ink->ref = ref;
-        ink->solid = &solid;
-        const ink_sink_t sink = {ink, take};
-        const hidden_job_t job = {.mem = kernel, .bytes = more, .sink = &sink};
-        err = area ? area_draw(&map, NULL, 0, &job, &stats, area) : convex_draw(&map, NULL, &job, &stats);
+    if (!err) err = camera_setup(&t->cam, &s->set, &box);
+    return err ? err : solid_map_setup(&t->map, &t->solid, &t->cam, t->mem[1]);
+}
+
+int solid_stage_draw(solid_stage_t *t, const ink_sink_t *sink) {
+    const hidden_job_t job = {.mem = t->mem[2], .bytes = t->bytes, .sink = sink};
+    return t->area ? area_draw(&t->map, NULL, 0, &job, &t->stats, &t->sorted)
+                   : convex_draw(&t->map, NULL, &job, &t->stats);
+}
+
+void solid_stage_free(solid_stage_t *t) {
+    for (int k = 0; k < 3; k++) free(t->mem[k]);
+    solid_scene_mesh_free(&t->mesh);
+}
+
+int solid_stage_judge(solid_stage_t *t, const solid_scene_t *s, int every, judge_report_t *out, bool *good) {
+    solid_ref_t ref = s->ref; /* shares the memory; the eye is its own */
+    page_view_t view;
+    ink_t ink = {.ref = &ref, .solid = &t->solid};
+    *out = (judge_report_t){0};
+    page_of(&t->cam, &view, &ref.eye);
+    int err = solid_stage_draw(t, &(ink_sink_t){&ink, take});
+    *good = true;
+    if (!err && !solid_ref_eye_touches(&ref)) {
+        judge_subject_t what = judge_solid(&ref);
+        what.every = every;
+        *good = judge_pieces(&what, &view, ink.piece, ink.n, out) == 0 && ink.lost == 0 && cases_good(out);
     }
-    free(mem);
-    free(place);
-    free(kernel);
+    free(ink.piece);
     return err;
 }
 
 static bool judge(const solid_scene_t *s, judge_report_t *out, area_stats_t *area) {
-    solid_ref_t ref = s->ref; /* shares the memory; the eye is its own */
-    page_view_t view;
-    mesh_t mesh;
-    ink_t ink = {0};
+    solid_stage_t t;
+    bool good = true;
     *out = (judge_report_t){0};
-    solid_scene_mesh(&ref, &mesh);
-    int err = draw(s, &mesh, &ref, &view, &ink, area);
-    solid_scene_mesh_free(&mesh);
-    bool good = err == ERR_VALUE || err == ERR_EMPTY; /* all behind the eye; nothing with a length */
-    if (!err && solid_ref_eye_touches(&ref)) {
-        good = true;
-    } else if (!err) {
-        judge_subject_t what = judge_solid(&ref);
-        good = judge_pieces(&what, &view, ink.piece, ink.n, out) == 0 && ink.lost == 0 && cases_good(out);
-    }
-    free(ink.piece);
-    return good;
+    int err = solid_stage_make(&t, s, area != NULL);
+    if (!err) err = solid_stage_judge(&t, s, 0, out, &good);
+    if (area) *area = t.sorted;
+    solid_stage_free(&t);
+    /* all behind the eye; nothing with a length */
+    return err ? err == ERR_VALUE || err == ERR_EMPTY : good;
 }
 
 bool solid_scene_judge(const solid_scene_t *s, judge_report_t *out) {

@@ -19,10 +19,39 @@ typedef struct solid_scene {
  * needles, tori, open sheets, single polygons, free segments; windings as they come, faces twice, faces without an
  * area. Seen from anywhere, from along the axes, from inside of the box, from the plane of a face. */
 void solid_scene_random(solid_scene_t *s, uint64_t seed, int objects);
+/* k x k unit cubes, pitch 1.5, 25 degrees above the ground: Franklin & Akman's figure 4. */
+void solid_scene_cubes(solid_scene_t *s, int k);
+/* n x n quadrilaterals of two triangles round a torus; hole 0: a ball. Seen as the cubes. */
+void solid_scene_round(solid_scene_t *s, int n, double hole);
+/* Those bodies alone, without the edges that only the reference needs. */
+void solid_body_cubes(solid_ref_t *r, int k);
+void solid_body_round(solid_ref_t *r, int n, double hole);
 void solid_scene_free(solid_scene_t *s);
 /* Its faces and lines as the program has them. */
 void solid_scene_mesh(const solid_ref_t *r, mesh_t *m);
 void solid_scene_mesh_free(mesh_t *m);
+
+/* A scene on its way through the program's stages, to be drawn as often as one likes. */
+typedef struct solid_stage {
+    bool area; /* by the area sort; else by the convex kernel */
+    mesh_t mesh;
+    solid_t solid;
+    camera_t cam;
+    solid_map_t map;
+    void *mem[3];
+    size_t bytes; /* lent to the kernel */
+    hidden_stats_t stats;
+    area_stats_t sorted;
+} solid_stage_t;
+
+/* Up to the kernel. Returns the stages' error; solid_stage_free() in any case. t must not move. */
+int solid_stage_make(solid_stage_t *t, const solid_scene_t *s, bool area);
+int solid_stage_draw(solid_stage_t *t, const ink_sink_t *sink);
+/* Draws and judges every so-manieth edge (0: all). *good: within the limits of run_cases.h; out stays 0 where the eye
+ * touches a face, as what it sees is then a matter of taste. Returns the kernel's error. */
+int solid_stage_judge(solid_stage_t *t, const solid_scene_t *s, int every, judge_report_t *out, bool *good);
+void solid_stage_free(solid_stage_t *t);
+
 /* Draws it with the convex kernel; true if it is within the limits of run_cases.h. */
 bool solid_scene_judge(const solid_scene_t *s, judge_report_t *out);
 /* The same with the area sort. A scene in which area->intersections is not 0 afterwards is none for it. */

@@ -1,0 +1,57 @@
+/* solid_bodies.c - the solids of the benchmark and the report; see solid_scenes.h. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "tests/oracle/solid_scenes.h"
+
+void solid_body_cubes(solid_ref_t *r, int k) {
+    static const int side[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (int n = 0; n < k * k; n++) {
+        int v[8];
+        for (int c = 0; c < 8; c++)
+            v[c] = solid_ref_vertex(r, 1.5 * (n % k) + (c & 1), 1.5 * (n / k) + (c >> 1 & 1), c >> 2);
+        for (int f = 0; f < 6; f++) {
+            int w[4];
+            for (int c = 0; c < 4; c++) w[c] = v[side[f][c]];
+            solid_ref_face(r, w, 4);
+        }
+    }
+}
+
+void solid_body_round(solid_ref_t *r, int n, double hole) {
+    int *v = malloc((size_t)(n * n) * sizeof *v);
+    if (!v) abort();
+    for (int k = 0; k < n * n; k++) {
+        double a = 6.283185307179586 * (k % n) / n,
+               b = hole > 0 ? 6.283185307179586 * (k / n) / n : 3.141592653589793 * (k / n) / (n - 1);
+        double far = hole > 0 ? hole + cos(b) : sin(b), z = hole > 0 ? sin(b) : cos(b);
+        const bool pole = hole <= 0 && (k / n == 0 || k / n == n - 1); /* n times the same place, without -0 */
+        v[k] = solid_ref_vertex(r, pole ? 0 : far * cos(a), pole ? 0 : far * sin(a), z);
+    }
+    for (int j = 0; j < (hole > 0 ? n : n - 1); j++)
+        for (int i = 0; i < n; i++) {
+            int p = v[j * n + i], q = v[j * n + (i + 1) % n], s = v[(j + 1) % n * n + (i + 1) % n],
+                t = v[(j + 1) % n * n + i];
+            solid_ref_face(r, (int[]){p, q, s}, 3);
+            solid_ref_face(r, (int[]){p, s, t}, 3);
+        }
+    free(v);
+}
+
+static void start(solid_scene_t *s) {
+    *s = (solid_scene_t){0};
+    settings_default(&s->set);
+    s->set.view.rot_x = num_from_i64(65);
+}
+
+void solid_scene_cubes(solid_scene_t *s, int k) {
+    start(s);
+    solid_body_cubes(&s->ref, k);
+    solid_ref_finish(&s->ref);
+}
+
+void solid_scene_round(solid_scene_t *s, int n, double hole) {
+    start(s);
+    solid_body_round(&s->ref, n, hole);
+    solid_ref_finish(&s->ref);
+}
