@@ -13,4 +13,14 @@ errors_by_bits_and_sizes() {
     expect_text section.md '| perimeter | 15 (shipped) |'
 }
 
-run_tests errors_by_bits_and_sizes
+solids_haloes_polygons() {
+    "$build/report/report_solids" . --quick >section.md
+    # Each kernel is there and within its limits; where the lattice is chosen, a coarse one is worse.
+    awk -F '\t' 'NR > 1 { kernels[$1] = 1 }
+        NR > 1 && $2 != "lattice" && ($6 > 0 || $7 == 0 || $8 > 1 || $9 > 1 || $10 > .25) { print; bad = 1 }
+        $2 == "lattice" { off = $8 > $9 ? $8 : $9; if ($4 > 400) fine[$1] = off; else if (off <= 10 * fine[$1]) { print; bad = 1 } }
+        END { for (k in kernels) n++; for (k in fine) m++; exit bad || n != 4 || m != 2 }' solids.tsv
+    expect_text section.md '| clip | spiky | 100 |'
+}
+
+run_tests errors_by_bits_and_sizes solids_haloes_polygons

@@ -1,5 +1,6 @@
 #!/bin/sh
-# report.sh BUILDDIR OUT - runs the programs of the report and puts their sections together into OUT/README.md.
+# report.sh BUILDDIR OUT [SECTION] - runs the programs of the report and puts their sections together into OUT/README.md;
+# or only that of SECTION, in place of what it wrote there before.
 # Files that end in -times.tsv, and the columns of ns in the tables, differ from run to run; nothing else does.
 set -e
 bin=$1/report
@@ -7,6 +8,26 @@ out=$2
 tmp=$(mktemp -d)
 trap 'rm -rf "$tmp"' EXIT
 mkdir -p "$out"
+
+# The section of a program, between marks by which it is found again.
+section() {
+    [ -x "$bin/report_$1" ] || return 0
+    echo
+    echo "<!-- $1 -->"
+    "$bin/report_$1" "$out"
+    echo "<!-- /$1 -->"
+}
+if [ -n "$3" ]; then
+    grep -q "^<!-- /$3 -->" "$out/README.md" || { echo "report.sh: $out/README.md has no section $3" >&2; exit 1; }
+    section "$3" >"$tmp/section"
+    awk -v from="<!-- $3 -->" -v to="<!-- /$3 -->" -v file="$tmp/section" '
+        $0 == from { skip = 1; getline line <file; while ((getline line <file) > 0) print line }
+        !skip { print }
+        $0 == to { skip = 0 }' "$out/README.md" >"$tmp/README.md"
+    mv "$tmp/README.md" "$out/README.md"
+    echo "$out/README.md"
+    exit
+fi
 
 # Instructions of the kernel alone, counted by callgrind. Skipped where valgrind is not installed.
 costs() {
@@ -47,9 +68,7 @@ costs() {
     "$bin/report_simplify" "$out"
     costs
     sh tests/report/boards.sh "$1" "$out"
-    for section in formats hard needs papers; do
-        if [ -x "$bin/report_$section" ]; then "$bin/report_$section" "$out"; fi
-    done
+    for s in formats hard needs papers solids; do section $s; done
     echo
     echo '![error over bits and families](landscape.svg)'
     echo
