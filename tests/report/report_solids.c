@@ -105,7 +105,8 @@ int main(int argc, char **argv) {
         "the longest of all scenes: of the clipper, the area that is missing or false over the length of the borders. "
         "Lattice: units in a step where it can be chosen. Tests: pairs of edge and object, pairs of polygons clipped, "
         "pairs of edges, edges of the graph. Crossings: found; pieces removed by the area sort. Pieces: given to the "
-        "sink, polygons, contours. Again: sort errors, sweeps. Bytes: used; of the clipper, lent. Random: up to so "
+        "sink, polygons, contours. Again: sort errors, sweeps. Bytes: used; of area sort and clipper, lent. Random: up "
+        "to so "
         "many solids, needles, sheets and broken meshes, anywhere and touching; "
         "for the area sort without those whose faces cut through each other. Spiky stars have crossings as the square "
         "of their rays.\n");
