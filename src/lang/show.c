@@ -90,6 +90,7 @@ void show_machine(session_t *s, text_t *t) {
     show_value(t, " lift ", m->lift_us, 6);
     show_value(t, " lower ", m->lower_us, 6);
     show_value(t, " enable ", m->enable_us, 6);
+    text_add(t, "\nset machine"); /* a line that the smallest board takes back */
     show_value(t, " pulse ", m->pulse_ns, 3);
     show_value(t, " setup ", m->dir_setup_ns, 3);
     text_add(t, " invert ");

@@ -5,7 +5,6 @@ scene keep $within 9
 says '^saved'
 again button $within
 says '^> start'
-[ $board = nrf51 ] && return
 again autorun_on $within 9
 again autorun $within
 says '^autorun'
