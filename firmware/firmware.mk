@@ -8,7 +8,7 @@ FW_LDFLAGS := -mthumb -nostartfiles --specs=nano.specs -Wl,--gc-sections -Wl,--f
 FW_SRC   := $(wildcard firmware/*.c) $(CORE_SRC)
 
 .PHONY: firmware firmware-run flash-pico
-firmware: ## build the images of all boards; prints flash, RAM and worst stack
+firmware: ## build the images of all boards; prints flash, RAM and a bound of the stack
 	$(Q)sh .ci/deps.sh firmware
 	+$(Q)$(again) firmware-run
 
