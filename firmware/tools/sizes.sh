@@ -9,7 +9,7 @@ for board in "$@"; do
     room=$("${CROSS}nm" "$dir/$board.elf" | awk '$3 == "_stack_top" { t = $1 } $3 == "_stack_bottom" { b = $1 } END { print t, b }')
     room=$((0x${room% *} - 0x${room#* }))
     worst=$(find "$dir/$board" -name '*.ci' | sort | xargs awk -f firmware/tools/stack.awk | cut -d' ' -f1)
-    [ "$worst" -lt 100 ] && worst=- # a compiler cache does not keep the call graph
+    [ "$worst" -lt 1000 ] && worst=- # a compiler cache does not keep the call graph
     printf '%-10s %10d %10d %12d %12s\n' "$board" $(($1 + $2)) $(($2 + $3)) "$room" "$worst"
 done
 echo 'The bound takes every call through a pointer to reach the deepest function there is. What drawings really took'

@@ -32,7 +32,7 @@ void port_switches_isr(void) {
 }
 
 void port_uart_isr(void) {
-    UART0_ICR = 0x7f0;
+    UART_ICR = 0x7f0;
     console_uart_isr();
 }
 
@@ -84,12 +84,12 @@ void hal_start(void) {
 
     GPIO_AFSEL(GPIOA) = 3;
     GPIO_DEN(GPIOA) = 3;
-    UART0_CTL = 0;
-    UART0_IBRD = 27; /* 50 MHz / 16 / 115200 = 27.127 */
-    UART0_FBRD = 8;
-    UART0_LCRH = 0x60;
-    UART0_CTL = 0x301;
-    UART0_IM = UART_RX;
+    UART_CR = 0;
+    UART_IBRD = 27; /* 50 MHz / 16 / 115200 = 27.127 */
+    UART_FBRD = 8;
+    UART_LCRH = 0x60;
+    UART_CR = 0x301;
+    UART_IMSC = UART_RX;
 
     GPIO_DIR(GPIOE) = 0;
     GPIO_PUR(GPIOE) = 0x0f;

@@ -23,15 +23,7 @@
 #define GPIO_PUR(port) REG((port) + 0x510u)
 #define GPIO_DEN(port) REG((port) + 0x51cu)
 
-#define UART0_DR REG(0x4000c000u)
-#define UART0_RSR REG(0x4000c004u)
-#define UART0_FR REG(0x4000c018u)
-#define UART0_IBRD REG(0x4000c024u)
-#define UART0_FBRD REG(0x4000c028u)
-#define UART0_LCRH REG(0x4000c02cu)
-#define UART0_CTL REG(0x4000c030u)
-#define UART0_IM REG(0x4000c038u)
-#define UART0_ICR REG(0x4000c044u)
+#define UART0 0x4000c000u
 
 #define TIMER0_CFG REG(0x40030000u)
 #define TIMER0_TAMR REG(0x40030004u)

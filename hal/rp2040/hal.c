@@ -102,7 +102,7 @@ static void uart_start(void) {
     GPIO_CTRL(PIN_RX) = FUNC_UART;
     UART_IBRD = 67; /* 125 MHz / 16 / 115200 = 67.817 */
     UART_FBRD = 52;
-    UART_LCR = 3u << 5; /* no FIFO: an interrupt for every byte */
+    UART_LCRH = 3u << 5; /* no FIFO: an interrupt for every byte */
     UART_CR = 0x301;
     UART_IMSC = UART_RX;
 }

@@ -9,6 +9,7 @@
 #define PORT_H
 
 #include "hal/hal.h"
+#include "hal/port/pl011.h"
 #include "hal/rp2040/regs.h"
 
 #define AHEAD_ENTRY 48
@@ -76,36 +77,6 @@ static inline uint32_t port_pins(void) {
 
 static inline uint32_t port_inputs(void) {
     return SIO_IN >> FIRST_INPUT & 0x0f;
-}
-
-#define PORT_UART_NONE UINT32_MAX
-#define PORT_UART_LOST 0x800u /* as in DR */
-#define PORT_UART_DAMAGED 0x700u
-#define UART_RX (1u << 4) /* in IMSC */
-#define UART_TX (1u << 5)
-
-static inline uint32_t port_uart_take(void) {
-    if (UART_FR & 1u << 4) return PORT_UART_NONE;
-    uint32_t data = UART_DR;
-    if (data & 0xf00u) UART_RSR = 0;
-    return data;
-}
-
-static inline bool port_uart_sent(void) {
-    return !(UART_FR & 1u << 5);
-}
-
-static inline void port_uart_send(uint8_t byte) {
-    UART_DR = byte;
-}
-
-static inline void port_uart_put(uint8_t byte) {
-    while (!port_uart_sent()) continue;
-    port_uart_send(byte);
-}
-
-static inline void port_uart_sending(bool on) {
-    UART_IMSC = UART_RX | (on ? UART_TX : 0);
 }
 
 #endif

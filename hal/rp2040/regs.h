@@ -44,14 +44,4 @@
 #define PWM_CTR(slice) REG(PWM + 0x14u * (slice) + 0x08u)
 #define PWM_TOP(slice) REG(PWM + 0x14u * (slice) + 0x10u)
 
-#define UART_DR REG(UART0 + 0x00u)
-#define UART_RSR REG(UART0 + 0x04u)
-#define UART_FR REG(UART0 + 0x18u)
-#define UART_IBRD REG(UART0 + 0x24u)
-#define UART_FBRD REG(UART0 + 0x28u)
-#define UART_LCR REG(UART0 + 0x2cu)
-#define UART_CR REG(UART0 + 0x30u)
-#define UART_IMSC REG(UART0 + 0x38u)
-#define UART_ICR REG(UART0 + 0x44u)
-
 #endif

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tests/report/create.h"
 #include "tests/report/figure.h"
 #include "tests/report/lattice.h"
 #include "tests/report/subject.h"
@@ -24,17 +25,6 @@ typedef struct outcome {
     size_t lent;
     int failed;
 } outcome_t;
-
-static FILE *create(const char *dir, const char *name) {
-    char path[512];
-    snprintf(path, sizeof path, "%s/%s", dir, name);
-    FILE *f = fopen(path, "w");
-    if (!f) {
-        perror(path);
-        exit(1);
-    }
-    return f;
-}
 
 static double steps(double mm) {
     return mm / JUDGE_STEP_MM;
@@ -72,7 +62,7 @@ static double worst_of(const judge_report_t *r) {
 
 /* The longest run of missing or false ink and the largest displacement, over the families, for each kernel and bits. */
 static void by_bits(const char *dir, int n, int every) {
-    FILE *out = create(dir, "lattice.tsv"), *times = create(dir, "lattice-times.tsv");
+    FILE *out = report_create(dir, "lattice.tsv"), *times = report_create(dir, "lattice-times.tsv");
     static figure_t f, pareto;
     figure_init(&f, "Error against bits of the lattice", "bits below a step", "worst error (steps)");
     f.y_log = f.joined = true;
@@ -138,7 +128,7 @@ static void by_bits(const char *dir, int n, int every) {
 
 static void by_size(const char *dir, bool quick) {
     static const int size[] = {10, 20, 50, 100, 200};
-    FILE *out = create(dir, "sizes.tsv"), *times = create(dir, "sizes-times.tsv");
+    FILE *out = report_create(dir, "sizes.tsv"), *times = report_create(dir, "sizes-times.tsv");
     static figure_t f;
     int sizes = quick ? 1 : (int)(sizeof size / sizeof *size);
     char path[512];

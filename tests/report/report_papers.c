@@ -10,21 +10,11 @@
 #include <stdlib.h>
 
 #include "tests/report/collapse.h"
+#include "tests/report/create.h"
 #include "tests/report/facet_range.h"
 #include "tests/report/figure.h"
 #include "tests/report/naive.h"
 #include "tests/report/subject.h"
-
-static FILE *create(const char *dir, const char *name) {
-    char path[512];
-    snprintf(path, sizeof path, "%s/%s", dir, name);
-    FILE *f = fopen(path, "w");
-    if (!f) {
-        perror(path);
-        exit(1);
-    }
-    return f;
-}
 
 /* Least squares y = a + b x; returns the coefficient of determination. */
 static double fit(int n, const double *x, const double *y, double *a, double *b) {
@@ -48,7 +38,7 @@ static void table1(const char *dir) {
     static figure_t f;
     double facets[SIZES], now[2][SIZES], a, b;
     char path[512];
-    FILE *out = create(dir, "table1-times.tsv");
+    FILE *out = report_create(dir, "table1-times.tsv");
     figure_init(&f, "Anderson's Figure 11: time against facets", "facets", "seconds");
     f.x_log = f.y_log = f.joined = true;
     for (int k = 0; k < 4; k++) figure_series(&f, series[k]);
@@ -126,7 +116,7 @@ static void figure1(void) {
 }
 
 static void fragments(const char *dir) {
-    FILE *out = create(dir, "collapse.tsv");
+    FILE *out = report_create(dir, "collapse.tsv");
     fprintf(out, "profiles\tfragments\tcollapsed\tours\n");
     printf(
         "\n## Greenspun and Little's horizon\n\nTheir horizon is a list of segments that clipping cuts; segments cut "
@@ -153,7 +143,7 @@ static void open_question(const char *dir) {
     static figure_t f;
     double mean[3][SIZES], power[3], rise[3];
     char path[512];
-    FILE *out = create(dir, "range.tsv");
+    FILE *out = report_create(dir, "range.tsv");
     figure_init(&f, "Horizon vertices in a facet's range", "points along a side", "mean per facet");
     f.x_log = f.joined = true;
     fprintf(out, "n\tsurface\tmean_vertices\tlargest\thorizon_vertices_at_peak\n");

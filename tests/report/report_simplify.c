@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "tests/report/create.h"
 #include "tests/report/figure.h"
 #include "tests/report/lattice.h"
 #include "tests/report/subject.h"
@@ -23,17 +24,6 @@ typedef struct total {
     judge_report_t error;
     double vertices, tests, facets, ns[FAMILIES];
 } total_t;
-
-static FILE *create(const char *dir, const char *name) {
-    char path[512];
-    snprintf(path, sizeof path, "%s/%s", dir, name);
-    FILE *f = fopen(path, "w");
-    if (!f) {
-        perror(path);
-        exit(1);
-    }
-    return f;
-}
 
 static int by_size(const void *a, const void *b) {
     const double *x = a, *y = b;
@@ -66,7 +56,7 @@ int main(int argc, char **argv) {
     char path[512];
     total_t shipped = {0}, at_step = {0};
     if (argc < 2) return 2;
-    FILE *out = create(argv[1], "simplify.tsv"), *times = create(argv[1], "simplify-times.tsv");
+    FILE *out = report_create(argv[1], "simplify.tsv"), *times = report_create(argv[1], "simplify-times.tsv");
     figure_init(&f, "Simpler horizons: error against time (tolerance in steps)", "CPU time per facet (ns)",
                 "worst error (steps)");
     f.x_log = f.y_log = true;

@@ -9,18 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tests/report/create.h"
 #include "tests/report/solid_rows.h"
-
-static FILE *create(const char *dir, const char *name) {
-    char path[512];
-    snprintf(path, sizeof path, "%s/%s", dir, name);
-    FILE *f = fopen(path, "w");
-    if (!f) {
-        perror(path);
-        exit(1);
-    }
-    return f;
-}
 
 static const char *number(double v, char *text) {
     if (isnan(v)) return "-";
@@ -97,7 +87,7 @@ static void write_verdict(int k) {
 int main(int argc, char **argv) {
     if (argc < 2) return 2;
     const bool quick = argc > 2 && strcmp(argv[2], "--quick") == 0;
-    FILE *out = create(argv[1], "solids.tsv"), *times = create(argv[1], "solids-times.tsv");
+    FILE *out = report_create(argv[1], "solids.tsv"), *times = report_create(argv[1], "solids-times.tsv");
     solid_rows_measure(quick);
     puts(
         "\n## Solids, haloes, polygons\n\n"
