@@ -6,18 +6,9 @@
 #include "error.h"
 #include "hidden/area.h"
 #include "hidden/convex.h"
+#include "tests/oracle/num_of.h"
 #include "tests/oracle/run_cases.h"
 #include "tests/oracle/solid_scenes.h"
-
-static double value(num_t a) {
-    return ldexp((double)a.m, a.e);
-}
-
-static num_t num_of(double v) {
-    int e;
-    double f = frexp(v, &e);
-    return num_from_fixed((int64_t)ldexp(f, 53), 53 - e);
-}
 
 /* What the kernel draws, as pieces of the reference's edges. */
 typedef struct ink {
@@ -29,7 +20,7 @@ typedef struct ink {
 } ink_t;
 
 static void world(const solid_t *s, int32_t v, double out[3]) {
-    for (int k = 0; k < 3; k++) out[k] = value(s->origin[k]) + ldexp(s->vertex[v].at[k], -s->shift);
+    for (int k = 0; k < 3; k++) out[k] = num_value(s->origin[k]) + ldexp(s->vertex[v].at[k], -s->shift);
 }
 
 static int take(void *ctx, const ink_piece_t *p) {
@@ -77,8 +68,8 @@ void solid_scene_mesh_free(mesh_t *m) {
 
 static void page_of(const camera_t *cam, page_view_t *v, exact_eye_t *eye) {
     for (int r = 0; r < 3; r++)
-        for (int k = 0; k < 4; k++) v->m[r][k] = value(cam->m[r][k]) / (r < 2 ? LAT_PER_MM : 1);
-    *eye = (exact_eye_t){value(cam->eye[0]), value(cam->eye[1]), value(cam->eye[2]), cam->perspective};
+        for (int k = 0; k < 4; k++) v->m[r][k] = num_value(cam->m[r][k]) / (r < 2 ? LAT_PER_MM : 1);
+    *eye = (exact_eye_t){num_value(cam->eye[0]), num_value(cam->eye[1]), num_value(cam->eye[2]), cam->perspective};
     v->eye = *eye;
     v->x0 = (double)cam->window.x0_lat / LAT_PER_MM;
     v->y0 = (double)cam->window.y0_lat / LAT_PER_MM;

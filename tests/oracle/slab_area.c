@@ -2,6 +2,7 @@
 #include "tests/oracle/slab_area.h"
 
 #include <gmp.h>
+#include <math.h>
 #include <stdlib.h>
 
 typedef struct slab_edge {
@@ -159,4 +160,14 @@ double slab_area_exact(const slab_scene_t *s, slab_test_t test, const void *ctx)
     free(x);
     free(hit);
     return area;
+}
+
+double slab_border(const poly_t *p) {
+    double sum = 0;
+    for (int c = 0, first = 0; c < p->contours; first = p->end[c++])
+        for (int i = first; i < p->end[c]; i++) {
+            poly_point_t a = p->v[i].at, b = p->v[i + 1 < p->end[c] ? i + 1 : first].at;
+            sum += hypot((double)b.x - a.x, (double)b.y - a.y);
+        }
+    return sum;
 }

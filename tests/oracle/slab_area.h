@@ -21,4 +21,7 @@ typedef struct slab_scene {
 double slab_area(const slab_scene_t *s, slab_test_t test, const void *ctx);
 double slab_area_exact(const slab_scene_t *s, slab_test_t test, const void *ctx);
 
+/* Length of all borders of a polygon. */
+double slab_border(const poly_t *p);
+
 #endif

@@ -69,16 +69,6 @@ static void random_shape(shape_t *s, uint64_t *rng, int lattice, int32_t scale, 
     }
 }
 
-static double length(const poly_t *p) {
-    double sum = 0;
-    for (int c = 0, first = 0; c < p->contours; first = p->end[c++])
-        for (int i = first; i < p->end[c]; i++) {
-            poly_point_t a = p->v[i].at, b = p->v[i + 1 < p->end[c] ? i + 1 : first].at;
-            sum += hypot((double)b.x - a.x, (double)b.y - a.y);
-        }
-    return sum;
-}
-
 /* |dx| + |dy| of all edges: splitting never makes it longer, cancelling makes it shorter. */
 static int64_t way(const poly_t *p) {
     int64_t sum = 0;
@@ -171,7 +161,7 @@ static const enum clip_result TABLE[6] = {CLIP_INSIDE, CLIP_OUTSIDE, CLIP_REST, 
 static const char *judge(enum clip_fill fill, bool exact) {
     clip_t work;
     int64_t area[6];
-    double borders = length(&subject.poly) + length(&clip.poly);
+    double borders = slab_border(&subject.poly) + slab_border(&clip.poly);
     int sweeps = 0;
     for (int k = 0; k < 6; k += 2)
         if (run(&subject.poly, &clip.poly, fill, TABLE[k], TABLE[k + 1], &result[k], &result[k + 1], &work))

@@ -13,6 +13,7 @@
 #include "error.h"
 #include "num/num.h"
 #include "tests/oracle/halo_page.h"
+#include "tests/oracle/num_of.h"
 #include "tests/oracle/run_cases.h"
 #include "tests/oracle/solid_scenes.h"
 
@@ -39,21 +40,12 @@ typedef struct scene_now {
     page_point_t at;
 } now_t;
 
-static double value(num_t a) {
-    return ldexp((double)a.m, a.e);
-}
-static num_t num_of(double v) {
-    int e;
-    double f = frexp(v, &e);
-    return num_from_fixed((int64_t)ldexp(f, 53), 53 - e);
-}
-
 static void on_begin(void *ctx, const camera_t *cam) {
     now_t *s = ctx;
     page_view_t *v = &s->view;
     for (int r = 0; r < 3; r++)
-        for (int k = 0; k < 4; k++) v->m[r][k] = value(cam->m[r][k]) / (r < 2 ? LAT_PER_MM : 1);
-    v->eye = (exact_eye_t){value(cam->eye[0]), value(cam->eye[1]), value(cam->eye[2]), cam->perspective};
+        for (int k = 0; k < 4; k++) v->m[r][k] = num_value(cam->m[r][k]) / (r < 2 ? LAT_PER_MM : 1);
+    v->eye = (exact_eye_t){num_value(cam->eye[0]), num_value(cam->eye[1]), num_value(cam->eye[2]), cam->perspective};
     v->x0 = (double)cam->window.x0_lat / LAT_PER_MM;
     v->y0 = (double)cam->window.y0_lat / LAT_PER_MM;
     v->x1 = (double)cam->window.x1_lat / LAT_PER_MM;

@@ -215,16 +215,6 @@ static bool is_false(unsigned in, const void *ctx) {
     return (void)ctx, in >= 4 && in < 7;
 }
 
-static double borders(const poly_t *p) {
-    double sum = 0;
-    for (int c = 0, first = 0; c < p->contours; first = p->end[c++])
-        for (int i = first; i < p->end[c]; i++) {
-            poly_point_t a = p->v[i].at, b = p->v[i + 1 < p->end[c] ? i + 1 : first].at;
-            sum += hypot((double)b.x - a.x, (double)b.y - a.y);
-        }
-    return sum;
-}
-
 /* The intersection of two stars with holes on a lattice coarser by 2^shift. */
 static void clip(const char *family, int spiky, int n, int shift) {
     row_t *w = add_row("clip", family, n, LAT_PER_STEP / (1 << shift));
@@ -253,7 +243,7 @@ static void clip(const char *family, int spiky, int n, int shift) {
         for (int k = 0; k < s.out.n; k++) s.out.v[k].at.x *= 1 << shift, s.out.v[k].at.y *= 1 << shift;
         const poly_t a = {fine[0], s.end, 2}, b = {fine[1], s.end, 2}, r = {s.out.v, s.out.end, s.out.contours};
         const slab_scene_t scene = {.poly = {&a, &b, &r}, .polys = 3};
-        const double length = LAT_PER_STEP * borders(&r);
+        const double length = LAT_PER_STEP * slab_border(&r);
         w->missing = slab_area(&scene, is_missing, NULL) / length;
         w->falsely = slab_area(&scene, is_false, NULL) / length;
     }
