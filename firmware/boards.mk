@@ -9,12 +9,8 @@ OPT_rp2040   := -O2
 OPT_lm3s6965 := -Os
 # A function that is called once keeps a frame of its own there: 900 bytes of stack less.
 OPT_nrf51    := -Os -fno-inline-functions-called-once
-# 256 KB of flash are nearly full: fast is what runs for each point, facet, vertex or step, all else is small.
-FAST_lm3s6965 := $(wildcard src/motion/*.c src/num/num.c src/num/wide.c src/num/ints.c hal/port/*.c hal/lm3s6965/*.c) \
-    src/num/func_trig.c src/num/func_exp.c src/path/simplify.c \
-    src/lang/eval.c src/lang/arith.c src/scene/grid.c src/scene/expr_surface.c src/view/chart.c \
-    src/view/page_map.c src/view/line_space.c src/view/cut.c src/hidden/envelope.c \
-    src/hidden/perimeter.c src/hidden/edges.c src/hidden/sweep.c src/hidden/runs.c
+# 256 KB of flash hold every system but the area sort. Fast is what runs for each step; all else is small.
+FAST_lm3s6965 := $(wildcard src/motion/*.c src/num/wide.c src/num/ints.c hal/port/*.c hal/lm3s6965/*.c) src/num/num.c
 $(FAST_lm3s6965:%.c=$(BUILDDIR)/firmware/lm3s6965/%.o): OPT_lm3s6965 := -O2
 
 CONFIG_rp2040 := CONFIG_LINE_MAX=1024 CONFIG_LOAD_DEPTH=0 CONFIG_READ_CHUNK=16 CONFIG_PLOT_ITEMS=4 CONFIG_DATA_COLUMNS=8 \
