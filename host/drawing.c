@@ -19,6 +19,7 @@ void drawing_init(drawing_t *d) {
 
 void drawing_clear(drawing_t *d) {
     d->points = d->strokes = 0;
+    d->changes = 0;
     d->lifted = true;
     d->over = (page_point_t){0, 0};
 }
@@ -111,6 +112,29 @@ static int sink_draw(void *ctx, page_point_t to) {
 
 pen_sink_t drawing_sink(drawing_t *d) {
     return (pen_sink_t){.ctx = d, .move = sink_move, .draw = sink_draw};
+}
+
+int drawing_pen(const drawing_t *d, size_t s) {
+    int pen = 1;
+    for (int k = 0; k < d->changes && d->change[k].stroke <= s; k++) pen = d->change[k].pen;
+    return pen;
+}
+
+int drawing_take_pen(drawing_t *d, int pen) {
+    if (drawing_pen(d, d->strokes) == pen) return 0;
+    if (d->changes == DRAWING_CHANGES_MAX) return ERR_FULL;
+    d->change[d->changes].stroke = d->strokes;
+    d->change[d->changes++].pen = pen;
+    return 0;
+}
+
+unsigned drawing_colour(int pen) {
+    static const unsigned COLOUR[] = {0x000000, 0xc8201e, 0x1f4fb4, 0x23803a, 0x8a4a12, 0x7a2a96, 0xd97a00, 0x6f7580};
+    return COLOUR[(unsigned)(pen - 1) % (sizeof COLOUR / sizeof COLOUR[0])];
+}
+
+bool drawing_has_pens(const drawing_t *d) {
+    return d->changes > 0;
 }
 
 const page_point_t *drawing_stroke(const drawing_t *d, size_t s, size_t *n) {

@@ -13,12 +13,18 @@
 #include "view/page.h"
 
 #define DRAWING_TITLE_MAX 128
+#define DRAWING_CHANGES_MAX 16
 
 typedef struct drawing {
     page_point_t *point; /* of all strokes, in drawing order */
     size_t points, point_room;
     size_t *first; /* index in point[] of the first point of each stroke */
     size_t strokes, stroke_room;
+    struct {
+        size_t stroke; /* from this one on */
+        int pen;
+    } change[DRAWING_CHANGES_MAX];
+    int changes;                 /* none: pen 1 draws everything */
     bool lifted;                 /* the pen is up, over: */
     page_point_t over;           /* where the next stroke begins, if it draws anything */
     double camera_mm[3][4];      /* from (x, y, z, 1) to page mm: x = row 0 / row 2, y = row 1 / row 2 */
@@ -47,6 +53,15 @@ void drawing_set_title(drawing_t *d, const char *title);
 /* A sink that appends to d, which must outlive it. A move without a draw after it leaves nothing; a draw to where
  * the pen already is makes a dot. Returns ERR_FULL when the machine has no memory left. */
 pen_sink_t drawing_sink(drawing_t *d);
+
+/* Strokes from now on are drawn with this pen, numbered from 1. ERR_FULL after DRAWING_CHANGES_MAX changes. */
+int drawing_take_pen(drawing_t *d, int pen);
+/* The pen of stroke s. */
+int drawing_pen(const drawing_t *d, size_t s);
+/* How pen 1, 2, ... looks on a screen: 0xRRGGBB; the first is black. */
+unsigned drawing_colour(int pen);
+/* Is any pen but the first used? */
+bool drawing_has_pens(const drawing_t *d);
 
 /* Stroke s < d->strokes: its *n >= 2 points. */
 const page_point_t *drawing_stroke(const drawing_t *d, size_t s, size_t *n);

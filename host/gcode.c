@@ -40,9 +40,14 @@ int gcode_write(const drawing_t *d, const machine_t *m, const char *path) {
     snprintf(draw_first, sizeof draw_first, "G1 F%u ", feed_um_min / 1000);
     out_text(&o, "; Ridgeline drawing: M3 lowers the pen, M5 lifts it\nG21\nG90\n");
     out_text(&o, up);
+    int pen = 1;
     for (size_t s = 0; s < d->strokes; s++) {
         size_t n;
         const page_point_t *point = drawing_stroke(d, s, &n);
+        if (drawing_pen(d, s) != pen) {
+            pen = drawing_pen(d, s);
+            out_format(&o, "G0 X0 Y0\nT%d\nM0 ; put pen %d in, then resume\n", pen, pen);
+        }
         write_move(&o, "G0 ", point[0]);
         out_text(&o, down);
         for (size_t i = 1; i < n; i++) write_move(&o, i == 1 ? draw_first : "", point[i]);

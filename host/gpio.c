@@ -99,13 +99,13 @@ static int run(const gpio_t *gpio, const char *what, const char *const *extra, c
 }
 
 /* The terminal is asked, whatever standard input is. */
-static bool ask_for_paper(int page) {
+static bool ask_for(const char *what, int number, const char *todo) {
     FILE *tty = fopen("/dev/tty", "r+");
     if (!tty) {
-        fprintf(stderr, "ridgeline: page %d needs new paper, and there is no terminal to ask for it\n", page);
+        fprintf(stderr, "ridgeline: %s %d: %s; there is no terminal to ask for it\n", what, number, todo);
         return false;
     }
-    fprintf(tty, "Page %d: change the paper and press Return. ", page);
+    fprintf(tty, "%s %d: %s and press Return. ", what, number, todo);
     fflush(tty);
     int c;
     while ((c = fgetc(tty)) != EOF && c != '\n') continue;
@@ -113,9 +113,34 @@ static bool ask_for_paper(int page) {
     return c == '\n';
 }
 
+/* The strokes that one pen draws, from `first` on; they stay d's. */
+static drawing_t part_of(const drawing_t *d, size_t first) {
+    drawing_t part = *d;
+    size_t end = first;
+    while (end < d->strokes && drawing_pen(d, end) == drawing_pen(d, first)) end++;
+    part.first += first;
+    part.strokes = end - first;
+    if (end < d->strokes) part.points = d->first[end];
+    part.changes = 0;
+    return part;
+}
+
 int gpio_plot(const gpio_t *gpio, int page, const machine_t *machine, const drawing_t *d) {
-    if (page > 1 && !gpio->dry_run && !ask_for_paper(page)) return SCRIPT_TROUBLE;
-    return run(gpio, "plot", NULL, machine, d);
+    if (page > 1 && !gpio->dry_run && !ask_for("Page", page, "change the paper")) return SCRIPT_TROUBLE;
+    static int in_holder = 1; /* across pages */
+    size_t at = 0;
+    do {
+        const drawing_t part = part_of(d, at);
+        int pen = drawing_pen(d, at);
+        if (d->strokes && pen != in_holder) {
+            if (!gpio->dry_run && !ask_for("Pen", pen, "put it in")) return SCRIPT_TROUBLE;
+            in_holder = pen;
+        }
+        int status = run(gpio, "plot", NULL, machine, &part);
+        if (status) return status;
+        at += part.strokes;
+    } while (at < d->strokes);
+    return 0;
 }
 
 /* ---- the commands that set a machine up ---- */

@@ -57,10 +57,16 @@ int hpgl_write(const drawing_t *d, const char *path) {
     out_t o;
     int err = out_open(&o, path);
     if (err) return err;
-    out_text(&o, "IN;SP1;\n");
+    int pen = 0;
+    out_text(&o, "IN;");
+    if (!d->strokes) out_text(&o, "SP1;\n");
     for (size_t s = 0; s < d->strokes; s++) {
         size_t n;
         const page_point_t *point = drawing_stroke(d, s, &n);
+        if (drawing_pen(d, s) != pen) {
+            pen = drawing_pen(d, s);
+            out_format(&o, "SP%d;\n", pen);
+        }
         write_stroke(&o, point, n);
     }
     out_text(&o, "PU0,0;SP0;\n");

@@ -85,9 +85,14 @@ static void note_intersections(long long pairs) {
             pairs, pairs == 1 ? "" : "s");
 }
 
+static int on_pen(void *ctx, int number) {
+    watch_t *w = ctx;
+    return drawing_take_pen(&w->job->drawing, number);
+}
+
 /* Draws into memory, with more of it until it is enough. */
 static int draw(job_t *job, const plot_t *plot, picture_t *picture, watch_t *w) {
-    picture_hooks_t hooks = {.ctx = w, .progress = on_progress, .begin = on_begin};
+    picture_hooks_t hooks = {.ctx = w, .progress = on_progress, .begin = on_begin, .pen = on_pen};
     pen_sink_t pen = drawing_sink(&job->drawing);
     size_t bytes = picture_bytes(plot);
     for (;;) {

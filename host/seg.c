@@ -21,9 +21,14 @@ int seg_write(const drawing_t *d, const char *path) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 4; j++) out_format(&o, " %.17g", d->camera_mm[i][j]);
     out_text(&o, "\n");
+    int pen = 1;
     for (size_t s = 0; s < d->strokes; s++) {
         size_t n;
         const page_point_t *point = drawing_stroke(d, s, &n);
+        if (d->changes && drawing_pen(d, s) != pen) {
+            pen = drawing_pen(d, s);
+            out_format(&o, "# pen %d\n", pen);
+        }
         char from[POINT_MAX];
         size_t from_len = (size_t)(put_point(from, point[0]) - from);
         for (size_t i = 1; i < n; i++) {

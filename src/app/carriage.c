@@ -100,6 +100,18 @@ int carriage_end(carriage_t *c, int err, motion_stats_t *stats) {
     return carriage_alarm(c) ? ERR_MACHINE : err ? err : finish;
 }
 
+int carriage_change(carriage_t *c) {
+    int err = motion_travel(&c->motion, (page_point_t){0, 0}), parked = motion_park(&c->motion, NULL);
+    if (err || parked) return err ? err : parked;
+    c->place = motion_place(&c->motion);
+    c->changing = true;
+    while (c->changing && !c->stopping && !carriage_alarm(c)) wait(c);
+    c->changing = false;
+    if (!c->stopping && !carriage_alarm(c)) return prepare(c, &c->machine);
+    stepgen_halt(true); /* nothing moves: it need not brake */
+    return ERR_STOPPED;
+}
+
 /* One move of homing, until the switch closes if one is sought. Where it began is its own origin. */
 static int leg(carriage_t *c, uint32_t speed_um_s, int axis, int32_t mm, uint8_t seek) {
     machine_t m = c->machine;
@@ -177,6 +189,7 @@ void carriage_hold(carriage_t *c) {
 
 void carriage_resume(carriage_t *c) {
     if (is_moving(c) && !c->stopping) stepgen_resume();
+    c->changing = false;
 }
 
 void carriage_stop(carriage_t *c) {
@@ -198,7 +211,7 @@ void carriage_motors(carriage_t *c, bool on) {
 
 enum carriage_state carriage_state(const carriage_t *c) {
     if (carriage_alarm(c)) return CARRIAGE_ALARM;
-    return is_moving(c) && stepgen_holding() ? CARRIAGE_HOLD : (enum carriage_state)c->state;
+    return is_moving(c) && (c->changing || stepgen_holding()) ? CARRIAGE_HOLD : (enum carriage_state)c->state;
 }
 
 page_point_t carriage_place(const carriage_t *c) {

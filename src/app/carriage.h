@@ -40,6 +40,7 @@ typedef struct carriage {
     page_point_t place; /* while nothing moves */
     uint8_t state;      /* enum carriage_state: IDLE, RUN or HOME */
     bool stopping;      /* a stop is wanted: when held, the drawing ends */
+    bool changing;      /* at home until resumed, for another pen */
     bool pen_down;      /* by carriage_pen_test */
     uint8_t seeking;    /* homing: the switch that ends this move */
     uint8_t alarm;      /* written by the interrupt, and by the main loop when nothing moves */
@@ -55,6 +56,10 @@ pen_sink_t carriage_pen(carriage_t *c);
 /* Ends it: goes home, or after a stop or alarm stays. stats may be NULL. Returns err, or what went wrong since;
  * ERR_MACHINE after an alarm. */
 int carriage_end(carriage_t *c, int err, motion_stats_t *stats);
+
+/* During a drawing: goes home, motors on, and waits there for carriage_resume: somebody puts another pen in. Returns 0,
+ * ERR_STOPPED, or the error of a move. */
+int carriage_change(carriage_t *c);
 
 /* Blocks, polling. Returns 0, ERR_STOPPED or ERR_MACHINE: then carriage_alarm() says why. */
 int carriage_home(carriage_t *c, const machine_t *machine);

@@ -45,6 +45,7 @@ typedef struct console {
     bool loading;           /* what is being carried out comes from the store */
     bool autorun;
     bool button_down;
+    uint8_t other_pen;    /* in the holder: its number less one */
     uint32_t button_at;   /* hal_now() when it last changed */
     motion_stats_t stats; /* of the last drawing */
     size_t picture_bytes; /* it was lent */

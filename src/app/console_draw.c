@@ -61,8 +61,27 @@ static int find_share(console_t *c, const plot_t *plot, void *memory, picture_ho
     return too_large(c, plot);
 }
 
+#if CONFIG_AREA
+/* One holder for all pens: drawing goes on when the right one is in it. */
+static int on_pen(void *ctx, int number) {
+    console_t *c = ctx;
+    if (number == c->other_pen + 1) return 0;
+    say("Pen ");
+    say_int(number);
+    say(": put it in, then ~\n");
+    realtime_busy(&c->realtime, false);
+    int err = carriage_change(&c->carriage);
+    realtime_busy(&c->realtime, true);
+    if (!err) c->other_pen = (uint8_t)(number - 1);
+    return err;
+}
+#endif
+
 static int draw(console_t *c, const plot_t *plot) {
     picture_hooks_t hooks = {.ctx = c, .progress = on_progress};
+#if CONFIG_AREA
+    hooks.pen = on_pen;
+#endif
     void *memory = console_free_memory(c, &c->picture_bytes);
     int err = find_share(c, plot, memory, &hooks);
     if (err) return err;

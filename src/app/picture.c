@@ -6,6 +6,7 @@
 #include "hidden/horizon.h"
 #include "hidden/perimeter.h"
 #include "view/autoscale.h"
+#include <string.h>
 
 #define SMALL_ARENA ((size_t)256 * 1024)
 
@@ -111,6 +112,9 @@ int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t r
     bool inside = true;
     for (int32_t k = 0; k < p->spaces; k++) inside = inside && p->lines[k].all_inside;
     p->cut = (cut_t){p->lines, p->trial ? (ink_sink_t){NULL, drop_ink} : path_sink(&p->path)};
+#if CONFIG_AREA
+    if (p->pens.now) p->cut.next = pens_ink(&p->pens, p->cut.next);
+#endif
     p->sink = inside ? p->cut.next : cut_sink(&p->cut);
     picture_tell(p, PICTURE_HIDE, 0, 1);
     return 0;
@@ -140,10 +144,48 @@ static int run(picture_t *p, const pen_sink_t *pen) {
     return err;
 }
 
+#if CONFIG_AREA
+/* One pass of several. */
+static int run_pen(picture_t *p, int pen_number, const pen_sink_t *pen) {
+    const uint8_t *pen_of = p->plot->settings->pen;
+    p->pens = (pens_t){.now = (uint8_t)pen_number};
+    if (p->hooks) p->pens.announce = p->hooks->pen, p->pens.ctx = p->hooks->ctx;
+    memset(p->pens.of_space, pen_of[LINE_CREASE], sizeof p->pens.of_space);
+    if (p->plot->kind == PLOT_SOLIDS) memcpy(p->pens.of_space, pen_of, LINE_CLASSES);
+    const pen_sink_t sink = pens_sink(&p->pens, pen);
+    return run(p, &sink);
+}
+
+static int run_pens(picture_t *p, const pen_sink_t *pen) {
+    const plot_t *plot = p->plot;
+    const picture_hooks_t *hooks = p->hooks;
+    const arena_t arena = p->arena;
+    const uint32_t wanted = pens_wanted(p->plot);
+    picture_stats_t stats = {0};
+    int err = 0;
+    for (int n = 1; n <= PENS_MAX && !err; n++) {
+        if (!(wanted >> n & 1)) continue;
+        if (wanted == 1u << n) { /* the usual case */
+            if (p->hooks && p->hooks->pen) err = p->hooks->pen(p->hooks->ctx, n);
+            return err ? err : run(p, pen);
+        }
+        *p = (picture_t){.plot = plot, .hooks = hooks, .arena = arena};
+        err = run_pen(p, n, pen);
+        pens_add(&stats, &p->stats);
+    }
+    p->stats = stats;
+    return err;
+}
+#else
+static int run_pens(picture_t *p, const pen_sink_t *pen) {
+    return run(p, pen);
+}
+#endif
+
 int picture_draw(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const pen_sink_t *pen,
                  const picture_hooks_t *hooks) {
     *p = (picture_t){.plot = plot, .hooks = hooks, .arena = {mem, bytes, 0}};
-    return run(p, pen);
+    return run_pens(p, pen);
 }
 
 int picture_try(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const picture_hooks_t *hooks) {

@@ -12,6 +12,7 @@
 #define PICTURE_H
 
 #include "app/arena.h"
+#include "app/picture_pens.h"
 #include "hidden/area.h"
 #include "hidden/hatch.h"
 #include "hidden/hidden.h"
@@ -50,6 +51,9 @@ typedef struct picture_hooks {
     enum picture_share share;
     /* Called at the start of each stage with done == 0, and now and then with how much of it is done; may be NULL. */
     void (*progress)(void *ctx, enum picture_stage stage, int32_t done, int32_t of);
+    /* Called before the first stroke of each pen, which has a number from 1 on; may be NULL. An error ends the drawing.
+     */
+    int (*pen)(void *ctx, int number);
     /* Called when the view is known, before the first stroke; may be NULL. */
     void (*begin)(void *ctx, const camera_t *cam);
 } picture_hooks_t;
@@ -73,6 +77,9 @@ typedef struct picture {
     path_t path;
     ink_map_t map_ink; /* for path: lines[] by number */
     cut_t cut;
+#if CONFIG_AREA
+    pens_t pens;
+#endif
     ink_sink_t sink;                       /* where kernels put their ink: cut, or path directly */
     line_space_t lines[PICTURE_LINES_MAX]; /* by the number of the surface in a piece */
     int32_t spaces;                        /* of them in use */

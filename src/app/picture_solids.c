@@ -102,14 +102,15 @@ static int build(picture_t *p) {
     err = picture_camera(p, p->solid.lo, p->solid.hi);
     if (!err) err = solid_map_setup(&p->solid_map, &p->solid, &p->camera, place);
     if (err) return err;
-    p->lines[0] = p->solid_map.lines;
-    p->spaces = 1;
+    p->spaces = CONFIG_AREA ? LINE_CLASSES : 1;
+    for (int32_t k = 0; k < p->spaces; k++) p->lines[k] = p->solid_map.lines;
     return 0;
 }
 
 #if CONFIG_AREA
-static bool is_hatched(const settings_t *set) {
-    return set->hidden == HIDDEN_AREA && set->hatch_um > 0;
+bool picture_is_hatched(const plot_t *plot) {
+    const settings_t *set = plot->settings;
+    return plot->kind == PLOT_SOLIDS && set->hidden == HIDDEN_AREA && set->hatch_um > 0;
 }
 
 /* Hatch lines are another line space. */
@@ -117,32 +118,26 @@ static void setup_hatch(picture_t *p) {
     const settings_t *set = p->plot->settings;
     num_t degrees = num_mul(num_from_i64(set->hatch_mdeg), num_from_decimal(1, -3));
     hatch_setup(&p->hatch, &p->camera.window, degrees, (int32_t)((int64_t)set->hatch_um * LAT_PER_MM / 1000));
-    p->lines[1] = p->hatch.lines;
-    p->spaces = 2;
+    p->lines[LINE_HATCH] = p->hatch.lines;
+    p->spaces = LINE_CLASSES;
 }
 
 /* Runs that hatching adds, about. */
 static int64_t hatch_runs(const picture_t *p) {
-    return is_hatched(p->plot->settings) ? 32 * (int64_t)hatch_lines(&p->hatch) : 0;
+    return picture_is_hatched(p->plot) ? 32 * (int64_t)hatch_lines(&p->hatch) : 0;
 }
 
 static int draw_area(picture_t *p, const hidden_job_t *job) {
     const settings_t *set = p->plot->settings;
     area_tone_t tone = {&p->hatch, {{0}}, set->shadow};
     for (int k = 0; k < 3; k++) tone.light[k] = num_from_i64(set->light_milli[k]);
-    return area_draw(&p->solid_map, is_hatched(set) ? &tone : NULL, 1, job, &p->stats.hidden, &p->area);
+    return area_draw(&p->solid_map, picture_is_hatched(p->plot) ? &tone : NULL, LINE_HATCH, job, &p->stats.hidden,
+                     &p->area);
 }
 #else
-static bool is_hatched(const settings_t *set) {
-    (void)set;
-    return false;
-}
 static int64_t hatch_runs(const picture_t *p) {
     (void)p;
     return 0;
-}
-static void setup_hatch(picture_t *p) {
-    (void)p;
 }
 static int draw_area(picture_t *p, const hidden_job_t *job) {
     (void)p, (void)job;
@@ -154,15 +149,23 @@ int picture_solids(picture_t *p, const pen_sink_t *pen) {
     const settings_t *set = p->plot->settings;
     int err = build(p);
     if (err) return err;
-    if (is_hatched(set)) setup_hatch(p);
+#if CONFIG_AREA
+    if (picture_is_hatched(p->plot)) setup_hatch(p);
+#endif
     size_t kernel_bytes = 0;
     void *kernel = set->hidden == HIDDEN_NONE ? NULL : picture_kernel_memory(p, &kernel_bytes);
     err = picture_open(p, pen, 1, 4 * (int64_t)p->solid.ne + hatch_runs(p));
     if (err) return err;
     dash_t dash = {p->lines, p->cut.next};
     cut_t cut = {p->lines, dash_sink(&dash)};
-    const ink_sink_t hidden = cut_sink(&cut);
-    const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p, false};
+#if CONFIG_AREA
+    line_sorter_t seen_lines = {&p->solid_map, set->outline, false, p->sink};
+    line_sorter_t hidden_lines = {&p->solid_map, set->outline, true, cut_sink(&cut)};
+    const ink_sink_t seen = line_class_sink(&seen_lines), hidden = line_class_sink(&hidden_lines);
+#else
+    const ink_sink_t seen = p->sink, hidden = cut_sink(&cut);
+#endif
+    const hidden_job_t job = {kernel, kernel_bytes, &seen, hide_tick, p, false};
     if (set->hidden == HIDDEN_NONE)
         err = wires_draw(&p->solid_map, &job, &p->stats.hidden);
     else if (set->hidden == HIDDEN_HALO)

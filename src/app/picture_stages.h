@@ -17,6 +17,10 @@ size_t picture_halo_bytes(const plot_t *plot, int32_t crossings_each);
 bool picture_is_solid(const plot_t *plot);
 /* Bytes that putting solids together and hiding their lines takes, but for freakish scenes. */
 size_t picture_solids_bytes(const plot_t *plot);
+#if CONFIG_AREA
+/* Does `set hatch` count for it? */
+bool picture_is_hatched(const plot_t *plot);
+#endif
 /* A terrain that is cut into profiles? Otherwise PLOT_SOLIDS are solids. */
 static inline bool picture_is_terrain(const plot_t *plot) {
     return plot->kind == PLOT_SOLIDS && plot->settings->hidden == HIDDEN_HORIZON;

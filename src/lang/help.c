@@ -10,7 +10,8 @@ static const char overview[] =
     "splot f(x,y)       draw a surface; also a data file: splot 'hill.dat', or several: splot f(x,y), 'hill.dat'\n"
     "plot f(x)          draw a curve\n"
     "replot             draw the last plot again with the present settings\n"
-    "set/unset/show     xrange yrange zrange samples isosamples view hidden3d halo hatch light shadow title\n"
+    "set/unset/show     xrange yrange zrange samples isosamples view hidden3d halo hatch light shadow pen crease "
+    "title\n"
     "                   xyplane paper machine dummy datafile; show all\n"
     "a = 3              set a variable;  f(x,y) = x*y  define a function\n"
     "print a, f(1,2)    compute\n"
@@ -48,6 +49,9 @@ static const topic_t topics[] = {
     {"hid$den3d",
      "set hidden3d [perimeter]             hidden lines removed, the default\n"
      "set hidden3d [convex] [dashed]       solids; dashed: hidden parts are drawn with dashes\n"
+#if CONFIG_AREA
+     "set hidden3d area [outline]          solids with tones (help hatch); outline: silhouettes only (help crease)\n"
+#endif
      "set hidden3d horizon [infinite]      profiles across the view (a ridgeline drawing); infinite: one side only\n"
      "set hidden3d halo                    every line is drawn, with a gap where it passes behind another: help halo\n"
      "unset hidden3d                       every line is drawn\n"},
@@ -55,6 +59,13 @@ static const topic_t topics[] = {
     {"hatch",
      "set hatch ANGLE,PITCH: solids of set hidden3d area are hatched by their slope to the light, lines PITCH mm (1)\n"
      "apart at ANGLE degrees; in shadow crosswise. unset hatch: lines only. See light, shadow.\n"},
+    {"pen",
+     "set pen N; set pen [silhouette N] [crease N] [hidden N] [hatch N] [shadow N] [detail N]: which pen, 1 to 8,\n"
+     "draws what; crease: all edges that are no silhouettes, and grids. Each pen is taken once; a plotter with one\n"
+     "holder goes home and waits for the next pen, and for ~.\n"},
+    {"crease",
+     "set crease A: edges of solids between faces that meet at less than A degrees only where they are outlines.\n"
+     "See set hidden3d ... outline.\n"},
     {"light", "set light X,Y,Z: the direction to the light, in the units of the data (-1,-2,3). See hatch.\n"},
     {"shadow", "set shadow [on|off]: solids cast shadows, which set hatch shows.\n"},
 #endif

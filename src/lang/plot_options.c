@@ -142,6 +142,11 @@ int plot_options_data(session_t *s, lexer_t *lx, session_source_t *src) {
     }
 }
 
+int32_t plot_options_cosine(num_t degrees) {
+    num_t cosine = func_sin_degrees(num_sub(num_from_i64(90), degrees));
+    return num_sign(degrees) ? (int32_t)num_to_fixed(cosine, 30, NULL) : 0;
+}
+
 static int crease(session_t *s, lexer_t *lx, int32_t *smooth_q30) {
     lexer_t at = *lx;
     num_t degrees;
@@ -149,8 +154,7 @@ static int crease(session_t *s, lexer_t *lx, int32_t *smooth_q30) {
     if (err) return err;
     if (num_sign(degrees) < 0 || num_cmp(degrees, num_from_i64(89)) > 0)
         return session_fail(s, &at, ERR_VALUE, "crease must be between 0 and 89 degrees");
-    num_t cosine = func_sin_degrees(num_sub(num_from_i64(90), degrees));
-    *smooth_q30 = num_sign(degrees) ? (int32_t)num_to_fixed(cosine, 30, NULL) : 0;
+    *smooth_q30 = plot_options_cosine(degrees);
     return 0;
 }
 

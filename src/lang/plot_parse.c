@@ -74,7 +74,7 @@ static int data_name(session_t *s, lexer_t *lx, session_source_t *src) {
     for (size_t k = 0; k < sizeof solid / sizeof solid[0]; k++) src->solid |= ends_in(name, n, solid[k]);
     src->kind = SOURCE_FILE;
     /* An STL cuts flat faces into triangles: their diagonals are none of its edges. */
-    if (ends_in(name, n, ".stl") || ends_in(name, n, ".STL")) src->smooth_q30 = FLAT_Q30;
+    if (!src->smooth_q30 && (ends_in(name, n, ".stl") || ends_in(name, n, ".STL"))) src->smooth_q30 = FLAT_Q30;
     if (strcmp(name, "-") == 0) {
         src->kind = SOURCE_INLINE;
     } else if (strcmp(name, "+") == 0 || strcmp(name, "++") == 0) {
@@ -108,6 +108,9 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
     session_source_t *src = &s->plot.source[s->plot.sources];
     int32_t first_grid = src->first_grid, grids = src->grids; /* of the last plot: replot may need them */
     *src = (session_source_t){.column = lexer_column(lx), .name = *lx, .first_grid = first_grid, .grids = grids};
+#if CONFIG_AREA
+    src->smooth_q30 = plot_options_cosine(num_mul(num_from_i64(s->settings.crease_mdeg), num_from_decimal(1, -3)));
+#endif
     data_spec_default(&src->spec);
     src->spec.separator = s->separator;
     src->title = lexer_text(lx);

@@ -59,6 +59,9 @@ int set_halo(session_t *s, lexer_t *lx);  /* set_halo.c */
 int set_hatch(session_t *s, lexer_t *lx); /* set_light.c */
 int set_light(session_t *s, lexer_t *lx);
 int set_shadow(session_t *s, lexer_t *lx);
+int set_pen(session_t *s, lexer_t *lx); /* set_pen.c */
+int set_crease(session_t *s, lexer_t *lx);
+const char *set_pen_class(int k); /* its name */
 int set_xyplane(session_t *s, lexer_t *lx);
 int set_paper(session_t *s, lexer_t *lx);
 int set_machine(session_t *s, lexer_t *lx);

@@ -132,6 +132,10 @@ int set_command(session_t *s, lexer_t *lx) {
     case SET_HALO:
         return set_halo(s, lx);
 #if CONFIG_AREA
+    case SET_CREASE:
+        return set_crease(s, lx);
+    case SET_PEN:
+        return set_pen(s, lx);
     case SET_HATCH:
         return set_hatch(s, lx);
     case SET_LIGHT:
@@ -226,6 +230,12 @@ int set_unset_command(session_t *s, lexer_t *lx) {
         set->halo_ends = fresh.halo_ends;
         return 0;
 #if CONFIG_AREA
+    case SET_CREASE:
+        set->crease_mdeg = 0;
+        return 0;
+    case SET_PEN:
+        memcpy(set->pen, fresh.pen, sizeof fresh.pen);
+        return 0;
     case SET_HATCH:
         set->hatch_um = 0;
         return 0;
@@ -239,6 +249,9 @@ int set_unset_command(session_t *s, lexer_t *lx) {
     case SET_HIDDEN3D:
         set->hidden = HIDDEN_NONE;
         set->dashed = false;
+#if CONFIG_AREA
+        set->outline = false;
+#endif
         return 0;
     case SET_ISOSAMPLES:
         memcpy(set->isosamples, fresh.isosamples, sizeof fresh.isosamples);

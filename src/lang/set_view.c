@@ -128,7 +128,8 @@ int set_hidden3d(session_t *s, lexer_t *lx) {
     } else if ((word = words_find(solids, lx)) >= 0) {
         lexer_next(lx);
         mode = (enum hidden_mode)solids[word].id;
-    } else if (!lexer_is_almost(lx, "dash$ed")) {
+    } else if (!lexer_is_almost(lx, "dash$ed") && !lexer_is_almost(lx, "out$line") &&
+               !lexer_is_almost(lx, "silh$ouette")) {
         for (int i; (i = words_find(taken, lx)) >= 0;) {
             lexer_next(lx);
             if (taken[i].id == 0) continue;
@@ -139,9 +140,16 @@ int set_hidden3d(session_t *s, lexer_t *lx) {
     }
     bool dashed = lexer_is_almost(lx, "dash$ed");
     if (dashed) lexer_next(lx);
+#if CONFIG_AREA
+    bool outline = lexer_is_almost(lx, "out$line") || lexer_is_almost(lx, "silh$ouette");
+    if (outline) lexer_next(lx);
+#endif
     if (!session_at_end(lx))
         return lexer_unexpected(lx, &s->error,
                                 "perimeter, horizon [infinite], convex, halo, area, none or dashed expected");
+#if CONFIG_AREA
+    s->settings.outline = outline;
+#endif
     s->settings.hidden = mode;
     s->settings.dashed = dashed;
     s->settings.horizon_infinite = infinite;

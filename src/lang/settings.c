@@ -14,6 +14,7 @@ void settings_default(settings_t *s) {
     s->light_milli[0] = -1000;
     s->light_milli[1] = -2000;
     s->light_milli[2] = 3000;
+    for (int k = 0; k < LINE_CLASSES; k++) s->pen[k] = 1;
 #endif
     s->view.rot_x = num_from_i64(60);
     s->view.rot_z = num_from_i64(30);

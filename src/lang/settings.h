@@ -3,6 +3,7 @@
 #define SETTINGS_H
 
 #include "config.h"
+#include "hidden/line_class.h"
 #include "motion/machine.h"
 #include "num/num.h"
 
@@ -38,6 +39,9 @@ typedef struct settings {
     int32_t hatch_mdeg;     /* its angle */
     int32_t light_milli[3]; /* set light X,Y,Z: direction to the light, thousandths; -1,-2,3 */
     bool shadow;            /* set shadow on */
+    bool outline;        /* set hidden3d ... outline: of solids only silhouettes, and creases that `crease` asks for */
+    int32_t crease_mdeg; /* set crease A: for solids that say nothing else (mesh.h); 0: all edges */
+    uint8_t pen[LINE_CLASSES]; /* set pen ...: 1 .. PENS_MAX */
 #endif
     bool halo_ends; /* set halo W ends: also beyond its ends and beside it */
     struct {

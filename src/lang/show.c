@@ -58,7 +58,11 @@ static void show_hidden(text_t *t, const settings_t *set) {
                                        [HIDDEN_AREA] = "set hidden3d area"};
     text_add(t, name[set->hidden]);
     if (set->hidden == HIDDEN_HORIZON && set->horizon_infinite) text_add(t, " infinite");
-    text_add(t, set->dashed ? " dashed\n" : "\n");
+    if (set->dashed) text_add(t, " dashed");
+#if CONFIG_AREA
+    if (set->outline) text_add(t, " outline");
+#endif
+    text_add(t, "\n");
 }
 
 static void show_paper(text_t *t, const settings_t *set) {
@@ -154,6 +158,22 @@ static void show_symbols(session_t *s, enum symbol_kind kind) {
     }
 }
 
+#if CONFIG_AREA
+static void show_pens(text_t *t, const settings_t *set) {
+    bool same = true;
+    for (int k = 1; k < LINE_CLASSES; k++) same &= set->pen[k] == set->pen[0];
+    text_add(t, "set pen");
+    for (int k = 0; k < (same ? 1 : LINE_CLASSES); k++) {
+        text_add(t, " ");
+        if (!same) text_add(t, set_pen_class(k));
+        if (!same) text_add(t, " ");
+        text_add_int(t, set->pen[k]);
+    }
+    text_add(t, "\n");
+}
+
+#endif
+
 /* One option; false if there is nothing to tell. */
 static bool show_option(session_t *s, uint8_t id) {
     char buf[320];
@@ -188,6 +208,13 @@ static bool show_option(session_t *s, uint8_t id) {
         text_add(&t, set->halo_ends ? " ends\n" : "\n");
         break;
 #if CONFIG_AREA
+    case SET_PEN:
+        show_pens(&t, set);
+        break;
+    case SET_CREASE:
+        show_value(&t, "set crease ", set->crease_mdeg, 3);
+        text_add(&t, "\n");
+        break;
     case SET_HATCH:
         if (!set->hatch_um) {
             text_add(&t, "unset hatch\n");
@@ -256,10 +283,10 @@ static bool show_option(session_t *s, uint8_t id) {
 }
 
 int show_command(session_t *s, lexer_t *lx) {
-    static const uint8_t all[] = {SET_TITLE,   SET_XRANGE,     SET_YRANGE,   SET_ZRANGE,    SET_XYPLANE,
-                                  SET_SAMPLES, SET_ISOSAMPLES, SET_VIEW,     SET_HIDDEN3D,  SET_HALO,
-                                  SET_HATCH,   SET_LIGHT,      SET_SHADOW,   SET_PAPER,     SET_MACHINE,
-                                  SET_ANGLES,  SET_DUMMY,      SET_DATAFILE, SET_VARIABLES, SET_FUNCTIONS};
+    static const uint8_t all[] = {SET_TITLE,      SET_XRANGE,   SET_YRANGE,    SET_ZRANGE,   SET_XYPLANE, SET_SAMPLES,
+                                  SET_ISOSAMPLES, SET_VIEW,     SET_HIDDEN3D,  SET_HALO,     SET_HATCH,   SET_LIGHT,
+                                  SET_SHADOW,     SET_CREASE,   SET_PEN,       SET_PAPER,    SET_MACHINE, SET_ANGLES,
+                                  SET_DUMMY,      SET_DATAFILE, SET_VARIABLES, SET_FUNCTIONS};
     if (session_at_end(lx)) return lexer_unexpected(lx, &s->error, "an option expected; try `show all`");
     lexer_t word = *lx;
     bool plot = lexer_is_almost(lx, "p$lot");

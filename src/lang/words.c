@@ -96,6 +96,9 @@ const word_t words_set[] = {
     {"colorb$ox", SET_IGNORED},
     {"colorn$ames", SET_IGNORED},
     {"colors$equence", SET_IGNORED},
+#if CONFIG_AREA
+    {"crease", SET_CREASE},
+#endif
     {"dasht$ype", SET_IGNORED},
     {"data", SET_IGNORED},
     {"dataf$ile", SET_DATAFILE},
@@ -162,6 +165,9 @@ const word_t words_set[] = {
     {"pa$rametric", SET_PARAMETRIC},
     {"pal$ette", SET_IGNORED},
     {"pax$is", SET_IGNORED},
+#if CONFIG_AREA
+    {"pen", SET_PEN},
+#endif
     {"pix$map", SET_IGNORED},
     {"pm$3d", SET_IGNORED},
     {"pointint$ervalbox", SET_IGNORED},

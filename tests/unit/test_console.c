@@ -278,6 +278,43 @@ static void test_pause(void **state) {
     HEARD("\r\n14\r\n");
 }
 
+/* A cube whose outline (six edges) and creases (three) are drawn with two pens, the first of which is not in the
+ * holder. */
+static void test_pens(void **state) {
+    (void)state;
+    const char *cube = "splot '-' solid\rv 0 0 0\rv 1 0 0\rv 1 1 0\rv 0 1 0\rv 0 0 1\rv 1 0 1\rv 1 1 1\rv 0 1 1\r"
+                       "f 4 3 2 1\rf 5 6 7 8\rf 1 2 6 5\rf 2 3 7 6\rf 3 4 8 7\rf 4 1 5 8\re\r";
+    fix_say("set pen crease 3 silhouette 2\r", SECOND);
+    fix_forget();
+    fix_type(cube);
+    const uint64_t now = sim_now();
+    sim_console_type(now + 20 * SECOND, "?", 1);
+    sim_console_type(now + 30 * SECOND, "~", 1);
+    sim_console_type(now + 100 * SECOND, "?", 1);
+    sim_console_type(now + 110 * SECOND, "~", 1);
+    fix_run(200 * SECOND);
+    const char *two = strstr(fix.said, "Pen 2: put it in, then ~\r\n<Hold|MPos:0.000,0.000|Pen:up");
+    const char *three = strstr(fix.said, "Pen 3: put it in, then ~\r\n<Hold|MPos:0.000,0.000|Pen:up");
+    assert_true(two && three && two < three);
+    assert_null(strstr(two + 1, "Pen 2"));
+    assert_true(fix.pen_downs >= 2 && fix.at[0] == 0 && fix.at[1] == 0);
+    assert_true(fix.last_step > now + 110 * SECOND);
+
+    const uint64_t drawn = fix.pen_downs; /* pen 3 is in it, 2 is wanted, and nobody brings it */
+    fix_forget();
+    fix_type("replot; print 15\r");
+    sim_console_type(sim_now() + 20 * SECOND, "\x18", 1);
+    fix_run(40 * SECOND);
+    HEARD("Pen 2");
+    assert_true(fix.pen_downs == 0 && drawn > 0);
+    fix_say("print 16\r", SECOND);
+    HEARD("\r\n16\r\n");
+    fix_forget();
+    fix_say("set pen 3\rreplot\r", 100 * SECOND);
+    assert_null(strstr(fix.said, "put it in"));
+    assert_int_equal(fix.pen_downs > 0, 1);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(test_power_on, on),
@@ -294,6 +331,7 @@ int main(void) {
         cmocka_unit_test_setup(test_machine_size, on),
         cmocka_unit_test_setup(test_pen_and_motors, on),
         cmocka_unit_test_setup(test_pause, on),
+        cmocka_unit_test_setup(test_pens, on),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

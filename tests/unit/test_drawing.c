@@ -302,19 +302,59 @@ static void large_drawings_are_written_fast(void **state) {
     drawing_free(&d);
 }
 
+static int count(const char *text, const char *word) {
+    int n = 0;
+    for (const char *p = text; (p = strstr(p, word)) != NULL; p++) n++;
+    return n;
+}
+
+/* Three strokes of pen 2, then four of pen 5: every format says so, in that order, and forgets nothing. */
+static void pens_are_told_apart(void **state) {
+    (void)state;
+    static const struct {
+        const char *suffix, *two, *five, *stroke;
+    } format[] = {{".svg", "inkscape:label=\"pen 2\"", "inkscape:label=\"pen 5\"", "<path"},
+                  {".hpgl", "SP2;", "SP5;", "PU"},
+                  {".seg", "# pen 2\n", "# pen 5\n", NULL},
+                  {".gcode", "T2\nM0", "T5\nM0", "M3 S"}};
+    machine_t machine;
+    machine_default(&machine);
+    drawing_t d;
+    drawing_init(&d);
+    assert_false(drawing_has_pens(&d));
+    assert_int_equal(drawing_take_pen(&d, 2), 0);
+    fill(&d, 3, 5);
+    assert_int_equal(drawing_take_pen(&d, 2), 0);
+    assert_int_equal(drawing_take_pen(&d, 5), 0);
+    fill(&d, 4, 5);
+    assert_true(drawing_has_pens(&d));
+    for (size_t s = 0; s < 7; s++) assert_int_equal(drawing_pen(&d, s), s < 3 ? 2 : 5);
+    for (size_t k = 0; k < sizeof format / sizeof format[0]; k++) {
+        const char *path = temporary(format[k].suffix);
+        assert_int_equal(writer_write(&d, &machine, path), 0);
+        char *text = slurp(path);
+        assert_int_equal(count(text, format[k].two), 1);
+        assert_int_equal(count(text, format[k].five), 1);
+        const char *five = strstr(text, format[k].five);
+        assert_true(strstr(text, format[k].two) < five);
+        if (format[k].stroke) assert_int_equal(count(text, format[k].stroke), 7 + (k == 1));
+        if (format[k].stroke) assert_int_equal(count(five, format[k].stroke), 4 + (k == 1));
+        free(text);
+    }
+    drawing_clear(&d);
+    fill(&d, 1, 5);
+    assert_false(drawing_has_pens(&d));
+    drawing_free(&d);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(strokes_are_kept),
-        cmocka_unit_test(length_counts_travel_from_and_to_the_origin),
-        cmocka_unit_test(camera_is_kept_in_mm),
-        cmocka_unit_test(seg_reads_back_to_the_lat),
-        cmocka_unit_test(svg_reads_back),
-        cmocka_unit_test(titles_are_utf8),
-        cmocka_unit_test(hpgl_reads_back),
-        cmocka_unit_test(gcode_says_what_a_plotter_does),
-        cmocka_unit_test(pictures_are_what_they_say),
-        cmocka_unit_test(names_and_failures),
-        cmocka_unit_test(large_drawings_are_written_fast),
+        cmocka_unit_test(strokes_are_kept),     cmocka_unit_test(length_counts_travel_from_and_to_the_origin),
+        cmocka_unit_test(camera_is_kept_in_mm), cmocka_unit_test(seg_reads_back_to_the_lat),
+        cmocka_unit_test(svg_reads_back),       cmocka_unit_test(titles_are_utf8),
+        cmocka_unit_test(hpgl_reads_back),      cmocka_unit_test(gcode_says_what_a_plotter_does),
+        cmocka_unit_test(pens_are_told_apart),  cmocka_unit_test(pictures_are_what_they_say),
+        cmocka_unit_test(names_and_failures),   cmocka_unit_test(large_drawings_are_written_fast),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

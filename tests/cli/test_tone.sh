@@ -1,0 +1,76 @@
+#!/bin/sh
+# Pens, outlines and creases of solids, measured as ink.
+. tests/cli/lib.sh
+
+# A cube as seen along (1, 1, 1): nine edges of the same length on the page, six of them the outline.
+cube() {
+    printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n'
+    printf 'f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n'
+} >cube.obj
+
+# ink PEN COMMANDS: millimetres drawn with a pen, 0 for any
+ink() {
+    printf 'set view from 1e6,1e6,1e6 to 0,0,0\n%s\nsplot "cube.obj"\n' "$2" >ink.gp
+    ridgeline plot ink.gp -o ink.seg 2>ink.err || { cat ink.err; return 1; }
+    awk -v want="$1" 'BEGIN { pen = 1 } /^# pen/ { pen = $3 } /^#/ { next }
+        NF == 4 && (want == 0 || want == pen) { s += sqrt(($3 - $1) ^ 2 + ($4 - $2) ^ 2) } END { printf "%.3f", s }' ink.seg
+}
+
+# ratio A B N/M: A / B within a thousandth
+ratio() { awk -v a="$1" -v b="$2" -v n="$3" -v m="$4" 'BEGIN { d = a * m - b * n; exit !(b > 0 && d * d <= (b * m / 1000) ^ 2) }' || { echo "$1 is not $3/$4 of $2"; return 1; }; }
+
+pens_take_their_lines() {
+    cube
+    for kernel in area convex; do
+        all=$(ink 0 "set hidden3d $kernel")
+        pens='set pen silhouette 2 crease 3'
+        ratio "$(ink 0 "set hidden3d $kernel; $pens")" "$all" 9 9
+        ratio "$(ink 2 "set hidden3d $kernel; $pens")" "$all" 6 9
+        ratio "$(ink 3 "set hidden3d $kernel; $pens")" "$all" 3 9
+        ratio "$(ink 1 "set hidden3d $kernel; set pen silhouette 2")" "$all" 3 9
+        ratio "$(ink 4 "set hidden3d $kernel; set pen 4")" "$all" 9 9
+    done
+    dashed='set view 60,30; set hidden3d convex dashed; set pen hidden 5'
+    behind=$(ink 5 "$dashed")
+    ratio "$(ink 1 "$dashed")" "$(ink 0 'set view 60,30; set hidden3d convex')" 1 1
+    awk -v a="$behind" -v b="$(ink 1 "$dashed")" 'BEGIN { exit !(a > .1 * b) }'
+    echo "# test_tone: $all mm, $(ink 2 'set hidden3d area; set pen silhouette 2') mm of outline"
+}
+
+outlines_leave_creases_out() {
+    cube
+    all=$(ink 0 'set hidden3d area')
+    for kernel in area convex none; do
+        lines=$(ink 0 "set hidden3d $kernel")
+        ratio "$(ink 0 "set hidden3d $kernel outline")" "$all" 6 9
+        ratio "$(ink 0 "set hidden3d $kernel outline; set crease 80")" "$lines" 1 1
+        ratio "$(ink 0 "set hidden3d $kernel; set crease 80")" "$lines" 1 1
+    done
+}
+
+# A prism of 24 sides from the side: its creases are of 15 degrees.
+creases_by_angle() {
+    awk 'BEGIN { for (k = 0; k < 24; k++) { a = 6.283185307 * k / 24; printf "v %.9f %.9f -1\nv %.9f %.9f 1\n", cos(a), sin(a), cos(a), sin(a) }
+        for (k = 0; k < 24; k++) printf "f %d %d %d %d\n", 2 * k + 1, 2 * ((k + 1) % 24) + 1, 2 * ((k + 1) % 24) + 2, 2 * k + 2
+        printf "f"; for (k = 23; k >= 0; k--) printf " %d", 2 * k + 1; printf "\nf"; for (k = 0; k < 24; k++) printf " %d", 2 * k + 2; print "" }' >cube.obj
+    for kernel in area convex; do
+        a=$(ink 0 "set hidden3d $kernel") b=$(ink 0 "set hidden3d $kernel; set crease 20")
+        c=$(ink 0 "set hidden3d $kernel outline; set crease 20") d=$(ink 0 "set hidden3d $kernel outline")
+        awk -v a="$a" -v b="$b" -v c="$c" -v d="$d" 'BEGIN { exit !(a > 1.2 * b && b > 1.1 * d && (b - c) ^ 2 < 1e-4) }' || { echo "$a $b $c $d"; return 1; }
+    done
+}
+
+settings_are_answered() {
+    printf 'show pen\nset pen 3\nshow pen\nset pen hatch 2, shadow 8\nshow pen\nset crease 30.5\nshow crease\nset hidden3d area outline\nshow hidden3d\n' >show.gp
+    printf 'unset pen\nunset crease\nset hidden3d area silhouette\nshow pen\nshow crease\nunset hidden3d\nset hidden3d area\nshow hidden3d\nhelp pen\nhelp crease\n' >>show.gp
+    ridgeline plot show.gp >out 2>&1 || true
+    expect_text out 'set pen 1' 'set pen 3' 'set pen crease 3 silhouette 3 hidden 3 hatch 2 shadow 8 detail 3' 'set crease 30.5' \
+        'set hidden3d area outline' 'set crease 0' 'set pen N'
+    for bad in 'set pen' 'set pen 0' 'set pen 9' 'set pen hatch' 'set pen ink 2' 'set pen hatch 2 3' 'set crease' 'set crease 90' 'set hidden3d area outlines'; do
+        printf '%s\n' "$bad" >bad.gp
+        ! ridgeline plot bad.gp >out 2>&1 || { echo "taken: $bad"; return 1; }
+        expect_text out 'bad.gp", line 1, column'
+    done
+}
+
+run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle settings_are_answered
