@@ -49,12 +49,12 @@ void near_build(near_t *g, int32_t strokes, int32_t crowd) {
 }
 
 /* What is left moves to the end of the items' memory, and is sorted from there into its beginning. */
-void near_thin(near_t *g, int32_t crowd, const int32_t *place) {
+void near_thin(near_t *g, int32_t crowd) {
     int32_t n = 0, *end = g->item + g->items;
     for (int32_t k = g->nx * g->ny - 1; k >= 0; k--) {
         const int32_t *item = &g->item[g->cell[k].start];
         for (uint32_t i = g->cell[k].count; i-- > 0;) {
-            if (place[item[i] >> 1] < 0) end[-++n] = item[i];
+            if (g->spot[item[i]].x >= 0) end[-++n] = item[i];
         }
     }
     fill(g, end - n, n, crowd);
@@ -67,7 +67,6 @@ const near_cell_t *near_cell_at(const near_t *g, int32_t cx, int32_t cy) {
 /* A search: the nearest item so far, and its distance. */
 typedef struct search {
     near_t *g;
-    const int32_t *place;
     spot_t at;
     int32_t cx, cy, found;
     uint32_t best;
@@ -76,11 +75,12 @@ typedef struct search {
 static void search_cell(search_t *s, near_cell_t *c) {
     int32_t *item = &s->g->item[c->start];
     for (uint32_t i = 0; i < c->count && i < NEAR_CELL_SCAN;) {
-        if (s->place[item[i] >> 1] >= 0) {
+        spot_t spot = s->g->spot[item[i]];
+        if (spot.x < 0) {
             item[i] = item[--c->count];
             continue;
         }
-        uint32_t d = near_square(s->g->spot[item[i]], s->at);
+        uint32_t d = near_square(spot, s->at);
         if (d < s->best) s->best = d, s->found = item[i];
         i++;
     }
@@ -133,8 +133,8 @@ static void search_around(search_t *s) {
     }
 }
 
-int32_t near_take(near_t *g, spot_t at, const int32_t *place) {
-    search_t s = {.g = g, .place = place, .at = at, .found = -1, .best = UINT32_MAX};
+int32_t near_take(near_t *g, spot_t at) {
+    search_t s = {.g = g, .at = at, .found = -1, .best = UINT32_MAX};
     s.cx = clamp(at.x >> g->shift_x, g->nx - 1);
     s.cy = clamp(at.y >> g->shift_y, g->ny - 1);
     int32_t rings = g->nx > g->ny ? g->nx : g->ny;

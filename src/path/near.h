@@ -10,8 +10,19 @@
 #include <stdint.h>
 
 typedef struct spot {
-    int16_t x, y; /* 0 .. 32767 */
+    int16_t x, y; /* 0 .. 32767; x + INT16_MIN of a stroke that has been taken */
 } spot_t;
+
+/* Both ends of the stroke are taken, so that a search need look nowhere else to know. */
+static inline void near_mark(spot_t *spot, int32_t stroke) {
+    spot[2 * stroke].x = (int16_t)(spot[2 * stroke].x | INT16_MIN);
+    spot[2 * stroke + 1].x = (int16_t)(spot[2 * stroke + 1].x | INT16_MIN);
+}
+/* Undoes it. */
+static inline void near_unmark(spot_t *spot, int32_t stroke) {
+    spot[2 * stroke].x &= INT16_MAX;
+    spot[2 * stroke + 1].x &= INT16_MAX;
+}
 
 typedef struct near_cell {
     uint32_t start, count; /* of items */
@@ -37,12 +48,11 @@ static inline uint32_t near_square(spot_t a, spot_t b) {
 /* Enters both ends of the strokes 0..strokes-1, `crowd` or up to twice as many to a cell of the drawing's extent, if
  * there is memory for so many cells. */
 void near_build(near_t *g, int32_t strokes, int32_t crowd);
-/* Builds the grid anew, as coarse as what is left is sparse: the strokes with place[stroke] >= 0 are gone. At least
- * half must be. */
-void near_thin(near_t *g, int32_t crowd, const int32_t *place);
-/* The nearest item of a stroke with place[stroke] < 0, or -1 when none is left. Others are forgotten on the way.
+/* Builds the grid anew, as coarse as what is left is sparse: marked strokes are gone. At least half must be. */
+void near_thin(near_t *g, int32_t crowd);
+/* The nearest item of a stroke that is not marked, or -1 when none is left. Others are forgotten on the way.
  * Exact but for heavy cells. */
-int32_t near_take(near_t *g, spot_t at, const int32_t *place);
+int32_t near_take(near_t *g, spot_t at);
 /* The cell with column cx and row cy, or NULL outside. */
 const near_cell_t *near_cell_at(const near_t *g, int32_t cx, int32_t cy);
 

@@ -70,18 +70,20 @@ void tour_collect(tour_t *t, const chain_t *c, page_point_t at, page_point_t hom
 void tour_greedy(tour_t *t) {
     int32_t left = t->n, built = t->n;
     spot_t at = t->spot[2 * t->n + 1];
-    for (int32_t k = 0; k <= t->n; k++) t->place[k] = -1;
     near_build(&t->near, t->n, CROWD);
     while (left > 0) {
         if (left <= built / 4) { /* keep the grid as coarse as what is left is sparse */
-            near_thin(&t->near, CROWD, t->place);
+            near_thin(&t->near, CROWD);
             built = left;
         }
-        int32_t item = near_take(&t->near, at, t->place);
-        int32_t k = t->n - left--;
-        t->order[k] = item;
-        t->place[item >> 1] = k;
+        int32_t item = near_take(&t->near, at);
         at = t->spot[item ^ 1];
+        near_mark(t->spot, item >> 1);
+        t->order[t->n - left--] = item;
+    }
+    for (int32_t k = 0; k < t->n; k++) {
+        near_unmark(t->spot, k);
+        t->place[t->order[k] >> 1] = k;
     }
     t->order[t->n] = 2 * t->n;
     t->place[t->n] = t->n;
