@@ -10,19 +10,30 @@ static page_h_t to_h(const page_map_t *m, const num_t v[3]) {
 }
 
 /* Shares are taken from the middle of the grid, so that a scene far from the world's origin loses nothing. */
-static page_h_t col_h(const page_map_t *m, int32_t i) {
-    if (m->table) return m->table[i];
+static page_h_t col_share(const page_map_t *m, int32_t i) {
     num_t v[3], x = num_sub(m->grid->src->x_of(m->grid->src->ctx, i), m->origin[0]);
     for (int k = 0; k < 3; k++) v[k] = num_mul(m->cam->m[k][0], x);
     return to_h(m, v);
 }
 
 /* The row's share, and the constant one. */
-static page_h_t row_h(const page_map_t *m, int32_t j) {
-    if (m->table) return m->table[m->grid->nx + j];
+static page_h_t row_share(const page_map_t *m, int32_t j) {
     num_t v[3], y = num_sub(m->grid->src->y_of(m->grid->src->ctx, j), m->origin[1]);
     for (int k = 0; k < 3; k++) v[k] = num_add(m->origin_h[k], num_mul(m->cam->m[k][1], y));
     return to_h(m, v);
+}
+
+/* Both together, all of a vertex but its height. */
+static inline page_h_t base_h(const page_map_t *m, int32_t i, int32_t j) {
+    page_h_t c, r;
+    if (m->table) {
+        c = m->table[i];
+        r = m->table[m->grid->nx + j];
+    } else {
+        c = col_share(m, i);
+        r = row_share(m, j);
+    }
+    return (page_h_t){c.x + r.x, c.y + r.y, c.e + r.e};
 }
 
 /* zi * z_mul / 2^(32 + z_shift), z_mul of 63 bits in two halves: the height's share is as exact as the others even
@@ -38,20 +49,23 @@ static page_h_t value_share(const page_map_t *m, num_t z) {
     return to_h(m, v);
 }
 
-static bool vertex_h(page_map_t *m, int32_t i, int32_t j, page_h_t *h) {
+/* A vertex whose height is evaluated. */
+static bool tall_vertex_h(page_map_t *m, int32_t i, int32_t j, page_h_t *h) {
+    num_t z;
+    if (!grid_value(m->grid, i, j, &z)) return false;
+    page_h_t b = base_h(m, i, j), s = value_share(m, z);
+    *h = (page_h_t){b.x + s.x, b.y + s.y, b.e + s.e};
+    return true;
+}
+
+static inline bool vertex_h(page_map_t *m, int32_t i, int32_t j, page_h_t *h) {
     int32_t zi;
-    if (m->tall) {
-        num_t z;
-        if (!grid_value(m->grid, i, j, &z)) return false;
-        page_h_t c = col_h(m, i), r = row_h(m, j), s = value_share(m, z);
-        *h = (page_h_t){c.x + r.x + s.x, c.y + r.y + s.y, c.e + r.e + s.e};
-        return true;
-    }
+    if (m->tall) return tall_vertex_h(m, i, j, h);
     if (!grid_height(m->grid, i, j, &zi)) return false;
-    page_h_t c = col_h(m, i), r = row_h(m, j);
-    h->x = c.x + r.x + height_share(m, 0, zi);
-    h->y = c.y + r.y + height_share(m, 1, zi);
-    h->e = c.e + r.e + height_share(m, 2, zi);
+    page_h_t b = base_h(m, i, j);
+    h->x = b.x + height_share(m, 0, zi);
+    h->y = b.y + height_share(m, 1, zi);
+    h->e = b.e + height_share(m, 2, zi);
     return true;
 }
 
@@ -59,10 +73,11 @@ static bool lines_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, pag
     page_map_t *m = ctx;
     int32_t at = (int32_t)(t_q30 >> 30), s = (int32_t)(t_q30 & (INK_ONE - 1));
     bool row = family == INK_ROW;
-    if (!vertex_h(m, row ? at : line, row ? line : at, h)) return false;
+    int32_t i = row ? at : line, j = row ? line : at;
+    if (!vertex_h(m, i, j, h)) return false;
     if (s == 0) return true;
     page_h_t next;
-    if (!vertex_h(m, row ? at + 1 : line, row ? line : at + 1, &next)) return false;
+    if (!vertex_h(m, i + row, j + !row, &next)) return false;
     *h = line_space_mix(h, &next, s);
     return true;
 }
@@ -89,8 +104,8 @@ int page_map_setup(page_map_t *m, grid_t *g, const camera_t *cam, void *memory) 
     }
     if (memory) {
         page_h_t *t = memory;
-        for (int32_t i = 0; i < g->nx; i++) t[i] = col_h(m, i);
-        for (int32_t j = 0; j < g->ny; j++) t[g->nx + j] = row_h(m, j);
+        for (int32_t i = 0; i < g->nx; i++) t[i] = col_share(m, i);
+        for (int32_t j = 0; j < g->ny; j++) t[g->nx + j] = row_share(m, j);
         m->table = t;
     }
     return 0;
