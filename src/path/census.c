@@ -3,7 +3,7 @@
 
 #define TILE_BITS 4 /* a tile is 2^4 cells wide */
 #define TILE_WORDS 16
-#define ENDS_PER_TILE 4 /* more tiles than that are of no use */
+#define ENDS_PER_TILE 16
 
 void census_init(census_t *c, uint32_t *mem, size_t bytes, int32_t ends, int shift) {
     *c = (census_t){mem, 0, shift};

@@ -4,12 +4,13 @@
 #include "path/dist.h"
 #include "path/sort.h"
 
-#define CLUSTER_MAX 8 /* ends that are paired together: a grid node has four */
-#define SCAN_MAX 256  /* ends looked at in one bucket; more only where thousands crowd: then any will do */
-#define CELL_BITS 4   /* a cell is at least 2^4 tolerances wide, so most queries see a single cell */
-#define FREE (-1)     /* in mate, until chain_close: not paired */
-#define ALONE (-2)    /* and nobody near */
-#define FETCH 12      /* ends that memory is asked for ahead */
+#define CLUSTER_MAX 8         /* ends that are paired together: a grid node has four */
+#define SCAN_MAX 256          /* ends looked at in one bucket; more only where thousands crowd: then any will do */
+#define CELL_BITS 4           /* a cell is at least 2^4 tolerances wide, so most queries see a single cell */
+#define CENSUS_TWICE_MIN 4096 /* ends from which a second census pays */
+#define FREE (-1)             /* in mate, until chain_close: not paired */
+#define ALONE (-2)            /* and nobody near */
+#define FETCH 12              /* ends that memory is asked for ahead */
 #define STRAIGHT (1 << 29)
 #define UNIT_BITS 13 /* of direction vectors */
 _Static_assert((POOL_RUNS_MIN + 1) * 4 * sizeof(int32_t) >= CENSUS_BYTES_MIN, "the census lies over links and buckets");
@@ -38,12 +39,19 @@ static void make_buckets(chain_t *c, int32_t ends) {
     for (uint32_t b = 0; b <= c->mask; b++) c->head[b] = -1;
 }
 
-void chain_enter_free(chain_t *c) {
+/* Is the end e free, and within the box? */
+static bool is_free_in(const chain_t *c, int32_t e, const page_point_t *lo, const page_point_t *hi) {
+    if (c->pool->mate[e] >= 0) return false;
+    page_point_t p = c->point[e];
+    return p.x_lat >= lo->x_lat && p.x_lat <= hi->x_lat && p.y_lat >= lo->y_lat && p.y_lat <= hi->y_lat;
+}
+
+void chain_enter_free(chain_t *c, page_point_t lo, page_point_t hi) {
     int32_t ends = 2 * c->pool->n, entered = 0;
-    for (int32_t e = 0; e < ends; e++) entered += c->pool->mate[e] < 0;
+    for (int32_t e = 0; e < ends; e++) entered += is_free_in(c, e, &lo, &hi);
     make_buckets(c, entered);
     for (int32_t e = 0; e < ends; e++) {
-        if (c->pool->mate[e] < 0) chain_enter(c, e, c->point[e]);
+        if (is_free_in(c, e, &lo, &hi)) chain_enter(c, e, c->point[e]);
     }
 }
 
@@ -64,25 +72,38 @@ int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near
     return lost;
 }
 
-/* Enters the ends that may have a neighbour, and marks the others ALONE. The census is taken in the memory of the links
- * and buckets, which come after it. */
+/* Marks those of the ends not marked yet ALONE that have certainly nobody near, counted in cells of 2^shift lat. The
+ * census is taken in the memory of the links and buckets, which come after it. Returns how many are left. */
+static int32_t mark_alone(chain_t *c, int32_t left, int shift) {
+    int32_t *mate = c->pool->mate, ends = 2 * c->pool->n;
+    census_t census;
+    census_init(&census, (uint32_t *)c->next, sizeof *c->next * 4 * ((size_t)c->pool->cap + 1), left, shift);
+    for (int32_t e = 0; e < ends; e++) {
+        if (mate[e] == FREE) census_enter(&census, c->point[e]);
+    }
+    for (int32_t e = 0; e < ends; e++) {
+        if (mate[e] != FREE || !census_is_alone(&census, c->point[e], c->near_lat)) continue;
+        mate[e] = ALONE;
+        left--;
+    }
+    return left;
+}
+
+/* Enters the ends that may have a neighbour. Wide cells leave most of the others out, with few cells to look at and few
+ * lines of the cache; narrow ones most of those that are left. */
 static void enter_all(chain_t *c) {
     pool_t *pool = c->pool;
     int32_t ends = 2 * pool->n;
-    census_t census;
-    census_init(&census, (uint32_t *)c->next, sizeof *c->next * 4 * ((size_t)pool->cap + 1), ends, c->shift - 1);
-    for (int32_t e = 0; e < ends; e++) census_enter(&census, c->point[e]);
-    int32_t entered = 0;
-    for (int32_t e = 0; e < ends; e++) {
-        bool alone = census_is_alone(&census, c->point[e], c->near_lat);
-        pool->mate[e] = alone ? ALONE : FREE;
-        entered += !alone;
+    for (int32_t r = 0; r < pool->n; r++) {
+        pool->mate[2 * r] = pool->mate[2 * r + 1] = FREE;
+        pool->run[r].to_hi &= ~RUN_SEEN;
     }
+    int32_t entered = mark_alone(c, ends, c->shift - 1);
+    if (ends >= CENSUS_TWICE_MIN) entered = mark_alone(c, entered, c->shift - 2);
     make_buckets(c, entered);
     for (int32_t e = 0; e < ends; e++) {
         if (pool->mate[e] == FREE) chain_enter(c, e, c->point[e]);
     }
-    for (int32_t r = 0; r < pool->n; r++) pool->run[r].to_hi &= ~RUN_SEEN;
 }
 
 static bool is_near(const chain_t *c, page_point_t a, page_point_t b) {
@@ -146,8 +167,40 @@ static void link_ends(pool_t *p, int32_t e, int32_t f) {
     p->mate[f] = e;
 }
 
+static bool goes_on(const chain_t *c, int32_t e, int32_t f) {
+    return (e & 1) != (f & 1) && e >> 1 != f >> 1 && run_same_line(&c->pool->run[e >> 1], &c->pool->run[f >> 1]);
+}
+
+/* The only end of the cluster that goes on the line of end[i], or -1. */
+static int line_mate(const chain_t *c, const int32_t *end, int n, int i) {
+    int mate = -1;
+    for (int j = 0; j < n; j++) {
+        if (!goes_on(c, end[i], end[j])) continue;
+        if (mate >= 0) return -1;
+        mate = j;
+    }
+    return mate;
+}
+
+/* Pairs those that go on in one line, as long as there is no choice, which need no directions. Returns how many ends
+ * are left. */
+static int pair_lines(chain_t *c, int32_t *end, int n) {
+    for (int i = 0; i < n; i++) {
+        int j = line_mate(c, end, n, i);
+        if (j < i || line_mate(c, end, n, j) != i) continue;
+        link_ends(c->pool, end[i], end[j]);
+        int left = 0;
+        for (int k = 0; k < n; k++) {
+            if (k != i && k != j) end[left++] = end[k];
+        }
+        n = left;
+        i--;
+    }
+    return n;
+}
+
 /* Pairs the ends of a cluster, straightest first. */
-static void pair_cluster(chain_t *c, int32_t *end, int n) {
+static void pair_straight(chain_t *c, int32_t *end, int n) {
     int32_t v[CLUSTER_MAX][2];
     for (int i = 0; i < n; i++) direction(c, end[i], v[i]);
     for (;;) {
@@ -167,8 +220,9 @@ static void pair_cluster(chain_t *c, int32_t *end, int n) {
 }
 
 static void pair_here(chain_t *c, int32_t *cluster, int n) {
+    if (n > 2) n = pair_lines(c, cluster, n);
     if (n == 2 && cluster[0] != pool_other_end(cluster[1])) link_ends(c->pool, cluster[0], cluster[1]);
-    if (n > 2) pair_cluster(c, cluster, n);
+    if (n > 2) pair_straight(c, cluster, n);
 }
 
 /* Asks the cache for what chain_free_ends will read: the bucket of an end that comes later, and the first that is in

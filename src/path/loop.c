@@ -9,16 +9,23 @@ typedef struct meeting {
     int32_t free_end;
 } meeting_t;
 
+/* The vertex behind t of a run that ends at `end`; beyond it, when t is the last. */
+static int64_t after(int64_t t, int64_t end) {
+    int64_t next = ((t >> 30) + 1) * INK_ONE;
+    return t == end ? end + 1 : next < end ? next : end;
+}
+
+static bool point_of(const chain_t *c, const run_t *r, int64_t t_q30, page_point_t *p) {
+    return c->map->point(c->map->ctx, run_family(r), run_surface(r), r->line, t_q30, p);
+}
+
 static bool find_on_run(const chain_t *c, int32_t start, meeting_t *m) {
     const run_t *r = &c->pool->run[start >> 1];
     int64_t t = run_t_of(r, 0), end = run_t_of(r, 1);
     m->start = start;
-    while (t <= end) {
+    for (; t <= end; t = after(t, end)) {
         m->t_q30 = t;
-        if (c->map->point(c->map->ctx, run_family(r), run_surface(r), r->line, t, &m->at) &&
-            chain_free_ends(c, m->at, &m->free_end, 1))
-            return true;
-        t = t == end ? end + 1 : ((t >> 30) + 1) * INK_ONE < end ? ((t >> 30) + 1) * INK_ONE : end;
+        if (point_of(c, r, t, &m->at) && chain_free_ends(c, m->at, &m->free_end, 1)) return true;
     }
     return false;
 }
@@ -48,11 +55,29 @@ static void cut_at_end(chain_t *c, int32_t e) {
     chain_enter(c, f, c->point[f]);
 }
 
-static bool is_there_any(const pool_t *p) {
-    for (int32_t r = 0; r < p->n; r++) {
-        if (!(p->run[r].to_hi & RUN_SEEN)) return true;
+/* The box in which a free end may be near a closed stroke; false if there is no closed stroke. A rough surface has few
+ * of them, and hundreds of thousands of free ends that need not be entered. */
+static bool find_box(const chain_t *c, page_point_t *lo, page_point_t *hi) {
+    const pool_t *pool = c->pool;
+    bool any = false;
+    *lo = (page_point_t){INT32_MAX / 2, INT32_MAX / 2};
+    *hi = (page_point_t){INT32_MIN / 2, INT32_MIN / 2};
+    for (int32_t k = 0; k < pool->n; k++) {
+        const run_t *r = &pool->run[k];
+        if (r->to_hi & RUN_SEEN) continue;
+        any = true;
+        for (int64_t t = run_t_of(r, 0), end = run_t_of(r, 1); t <= end; t = after(t, end)) {
+            page_point_t p;
+            if (!point_of(c, r, t, &p)) continue;
+            if (p.x_lat < lo->x_lat) lo->x_lat = p.x_lat;
+            if (p.y_lat < lo->y_lat) lo->y_lat = p.y_lat;
+            if (p.x_lat > hi->x_lat) hi->x_lat = p.x_lat;
+            if (p.y_lat > hi->y_lat) hi->y_lat = p.y_lat;
+        }
     }
-    return false;
+    *lo = (page_point_t){lo->x_lat - c->near_lat, lo->y_lat - c->near_lat};
+    *hi = (page_point_t){hi->x_lat + c->near_lat, hi->y_lat + c->near_lat};
+    return any;
 }
 
 /* Cuts the run in two at t and opens the stroke there. The first part keeps the number. Returns the free end of the
@@ -75,8 +100,9 @@ static int32_t cut_run(chain_t *c, int32_t r, int64_t t_q30, page_point_t at) {
 int32_t loop_open(chain_t *c) {
     pool_t *p = c->pool;
     int32_t alone = 0, runs = p->n;
-    if (!is_there_any(p)) return 0;
-    chain_enter_free(c);
+    page_point_t lo, hi;
+    if (!find_box(c, &lo, &hi)) return 0;
+    chain_enter_free(c, lo, hi);
     for (int32_t r = 0; r < runs; r++) {
         meeting_t m;
         int32_t e;

@@ -3,7 +3,7 @@
  * Pairing ends may close a stroke on itself (the border of a grid, a round silhouette). A closed stroke has to start
  * somewhere anyway, so starting it where some open stroke ends costs nothing and makes one stroke of two: only
  * then is Euler's minimum reached. The others are opened where two of their runs meet.
- * Cost: one point of the map for every vertex of a closed stroke; open strokes cost nothing. */
+ * Cost: two points of the map for every vertex of a closed stroke; open strokes cost nothing. */
 #ifndef LOOP_H
 #define LOOP_H
 

@@ -11,6 +11,10 @@
  * travel twice as far to them; keeping the youngest strokes instead of the farthest does the same. */
 #define FLUSH_PART 2
 
+/* Operations per stroke below which the tour is left as it is: what they could save is one part in 10,000 of the time
+ * that so many strokes take. */
+#define EFFORT_LEAST 4
+
 void path_default(path_config_t *c, uint32_t steps_per_mm_q16) {
     uint64_t step_q16 = steps_per_mm_q16 ? ((uint64_t)LAT_PER_MM << 32) / steps_per_mm_q16 : (uint64_t)LAT_PER_MM << 16;
     uint64_t step = (step_q16 + (1 << 15)) >> 16;
@@ -49,11 +53,17 @@ static bool drop_if_dot(path_t *p, const page_point_t *point, int32_t start) {
     return true;
 }
 
+static bool is_apart(page_point_t a, page_point_t b, int32_t by_lat) {
+    int32_t dx = a.x_lat - b.x_lat, dy = a.y_lat - b.y_lat;
+    if (dx >= by_lat || dx <= -by_lat || dy >= by_lat || dy <= -by_lat) return true; /* as most are */
+    return dist_of(dx, dy) >= (uint32_t)by_lat;
+}
+
 /* Dots need not be in the tour, once nothing can come that continues them. */
 static void drop_dots(path_t *p, const chain_t *c) {
     for (int32_t e = 0; e < 2 * p->pool.n; e++) {
         int32_t far = ~p->pool.mate[e];
-        if (far < e || dist_between(c->point[e], c->point[far]) >= (uint32_t)p->config.step_lat) continue;
+        if (far < e || is_apart(c->point[e], c->point[far], p->config.step_lat)) continue;
         drop_if_dot(p, c->point, e);
     }
 }
@@ -81,6 +91,7 @@ static int flush(path_t *p, bool all) {
     tour_greedy(&tour);
     int64_t operations = (int64_t)p->config.effort * tour.n;
     if (operations > p->config.effort_max) operations = p->config.effort_max;
+    if (operations < (int64_t)EFFORT_LEAST * tour.n) operations = 0;
     tour_improve(&tour, operations);
     tour_settle(&tour);
     int32_t count = all ? tour.n : (tour.n + FLUSH_PART - 1) / FLUSH_PART;

@@ -95,3 +95,10 @@ int simplify_finish(simplify_t *s) {
     s->open = s->pending = s->cone = s->moved = false;
     return err;
 }
+
+int simplify_line(simplify_t *s, page_point_t a, page_point_t b) {
+    int err = simplify_finish(s);
+    if (err || is_same(a, b)) return err;
+    err = s->out.move(s->out.ctx, a);
+    return err ? err : s->out.draw(s->out.ctx, b);
+}

@@ -30,6 +30,8 @@ void simplify_init(simplify_t *s, int32_t tol_lat, pen_sink_t out);
 /* Begins a stroke, ending the one before. Both return 0 or the error of the sink. */
 int simplify_move(simplify_t *s, page_point_t p);
 int simplify_draw(simplify_t *s, page_point_t p);
+/* A whole stroke from a to b, as simplify_move, simplify_draw and simplify_finish make it, sooner. */
+int simplify_line(simplify_t *s, page_point_t a, page_point_t b);
 /* Gives out what is held back. A stroke without length gives nothing, not even its move. */
 int simplify_finish(simplify_t *s);
 
