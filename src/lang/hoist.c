@@ -6,6 +6,7 @@
  * the column or row itself. */
 #include "lang/hoist.h"
 #include "lang/code.h"
+#include "lang/inline.h"
 #include "lang/parts.h"
 
 enum { OF_X = 1, OF_Y = 2, OF_BOTH = 3, FIRST = 2 /* slot behind x and y */ };
@@ -152,17 +153,26 @@ static void take_apart(hoist_t *h, const plan_t *p, const expr_t *x, uint8_t *co
     h->per_row = p->per_row;
 }
 
+/* The memory of hoist_init: the result, code with its calls replaced, the three pieces' code, the table. */
 size_t hoist_init(lang_t *lang, const expr_t *x, bool pure, int32_t columns, void *mem, size_t bytes) {
-    plan_t p = {.code = x->code};
     hoist_t *h = mem;
-    bool apart = pure && parts_find(x->code, true, &p.parts) && find_moved(&p) && p.n > 0 &&
-                 x->stack + p.per_column + p.per_row <= CONFIG_STACK;
-    size_t code = apart ? (code_bytes(&p, x->len) + 7) / 8 * 8 : 0;
+    expr_t flat = *x;
+    size_t used = sizeof *h;
+    if (pure && inline_is_call(x)) {
+        uint8_t *buf = (uint8_t *)mem + used;
+        used += 2 * INLINE_CODE_MAX;
+        if (used > bytes) return 0;
+        inline_calls(lang, &flat, buf);
+    }
+    plan_t p = {.code = flat.code};
+    bool apart = pure && parts_find(flat.code, true, &p.parts) && find_moved(&p) && p.n > 0 &&
+                 flat.stack + p.per_column + p.per_row <= CONFIG_STACK;
+    size_t code = apart ? (code_bytes(&p, flat.len) + 7) / 8 * 8 : 0;
     size_t table = (size_t)columns * (1u + (apart ? p.per_column : 0u)) * sizeof(value_t);
-    if (sizeof *h + code + table > bytes) return 0;
-    *h = (hoist_t){.lang = lang, .point = *x, .table = (value_t *)(void *)((uint8_t *)mem + sizeof *h + code)};
-    if (apart) take_apart(h, &p, x, (uint8_t *)mem + sizeof *h);
-    return sizeof *h + code + table;
+    if (used + code + table > bytes) return 0;
+    *h = (hoist_t){.lang = lang, .point = *x, .table = (value_t *)(void *)((uint8_t *)mem + used + code)};
+    if (apart) take_apart(h, &p, &flat, (uint8_t *)mem + used);
+    return used + code + table;
 }
 
 /* Runs a column's or row's part for v, x or y; its values, from `slot` on, and v go to out. */

@@ -103,6 +103,34 @@ static void variables_and_functions(void **state) {
     assert_same("g(x,y)", 0, 0);
 }
 
+static void functions_are_taken_apart_too(void **state) {
+    (void)state;
+    define("f(x,y) = .5+.5*sin(12345.678*x+54321.987*y)");
+    define("r(a,b) = sqrt(a**2+b**2)");
+    define("s(t) = sin(t)/t");
+    define("q(u,v) = u*u + (u*v+1)*(u*v+1)");
+    define("swap(u,v) = v-u");
+    define("two(t) = 2*t*t*t + (t+1)*(t+1)");
+    define("none(t) = 4");
+    define("count(n) = n*count(n-1)");
+    assert_same("f(x,y)", 1, 1);
+    assert_same("f(y,x)+1", 1, 1);
+    assert_same("s(r(x,y))", 1, 1);
+    assert_same("s(3*r(2*x,y))", -1, -1);
+    assert_same("q(x,y)", -1, -1);
+    assert_same("q(x+1,y*2)+q(x+1,y*2)", -1, -1);
+    assert_same("q(q(x,2),q(y,3))", -1, -1);
+    assert_same("swap(x*y+1,x*y+2)+swap(x,y*2)", -1, -1);
+    assert_same("two(two(x)+two(y))", -1, -1);
+    assert_same("none(x)+y", 0, 1);
+    assert_same("none(nowhere)+y", -1, -1);
+    assert_same("none(log(x))+y", -1, -1);
+    assert_same("count(x)*y", 1, 0);
+    assert_same("f(x)+y", -1, -1);
+    assert_same("s(s(s(s(x*y+1))))", -1, -1);
+    assert_same("two(two(two(x*y)))+two(two(two(x+y)))", -1, -1);
+}
+
 static void undefined_parts_are_holes(void **state) {
     (void)state;
     assert_same("1/x+1/y", 1, 1);
@@ -137,12 +165,12 @@ static uint32_t pick(uint32_t n) {
 
 static char *random_expression(char *to, int depth) {
     static const char *const LEAF[] = {"x", "y", "x", "y", "2", "0.3", "a", "x**2", "y**2"};
-    static const char *const CALL[] = {"sin(", "sqrt(", "exp(", "abs(", "floor(", "-("};
+    static const char *const CALL[] = {"sin(", "sqrt(", "exp(", "abs(", "floor(", "-(", "g(", "h("};
     static const char OPERATION[] = "+-*/+*";
     uint32_t kind = depth <= 0 ? 0 : pick(5);
     if (kind == 0) return to + sprintf(to, "%s", LEAF[pick(9)]);
     if (kind == 1) {
-        to = random_expression(to + sprintf(to, "%s", CALL[pick(6)]), depth - 1);
+        to = random_expression(to + sprintf(to, "%s", CALL[pick(8)]), depth - 1);
         return to + sprintf(to, ")");
     }
     *to++ = '(';
@@ -164,6 +192,9 @@ static char *random_expression(char *to, int depth) {
 static void random_ones(void **state) {
     (void)state;
     define("a = 1.5");
+    define("g(t) = t*t+a*t");
+    define("k(u,v) = u*(v+1)-(v+1)");
+    define("h(t) = k(t,g(t))+0.5");
     int apart = 0;
     for (int n = 0; n < 4000; n++) {
         char text[4000];
@@ -180,6 +211,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(parts_of_one_variable_move, setup),
         cmocka_unit_test_setup(variables_and_functions, setup),
+        cmocka_unit_test_setup(functions_are_taken_apart_too, setup),
         cmocka_unit_test_setup(undefined_parts_are_holes, setup),
         cmocka_unit_test_setup(errors_are_told, setup),
         cmocka_unit_test_setup(what_is_not_straight_stays_whole, setup),
