@@ -174,7 +174,6 @@ static inline __attribute__((always_inline)) int walk(envelope_t *h, pencil_t p,
             pencil_t x = envelope_crossing(p, q, v, w, !c.visible, count);
             int32_t at = envelope_fraction_at(p, q, x);
             if (c.visible) {
-                if (last && x.a == q.a) at = ONE_Q30;
                 if ((err = finish(&c, at, take, ctx)) != 0) return err;
             } else {
                 begin(&c, at);
@@ -236,6 +235,16 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
 
 int envelope_look(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, void *ctx, envelope_count_t *count) {
     return walk(h, p, q, take, ctx, count, false);
+}
+
+envelope_limits_t envelope_limits(envelope_t *h, int32_t a) {
+    envelope_seek(h, a);
+    const pencil_t last = h->l[-1];
+    if (last.a < a) {
+        const int32_t w = pencil_ordinate(last, *h->r, a);
+        return (envelope_limits_t){w, w};
+    }
+    return (envelope_limits_t){h->l[-2].a == a ? h->l[-2].w : last.w, last.w};
 }
 
 int32_t envelope_height(envelope_t *h, int32_t a_lo, int32_t a_hi) {

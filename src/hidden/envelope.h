@@ -59,6 +59,12 @@ int envelope_clip(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, v
 /* The same, but h stays as it is. */
 int envelope_look(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take, void *ctx, envelope_count_t *count);
 
+/* The height of h at abscissa a, seen from its left and from its right. */
+typedef struct envelope_limits {
+    int32_t left, right;
+} envelope_limits_t;
+envelope_limits_t envelope_limits(envelope_t *h, int32_t a);
+
 /* The height of h at abscissa a: of its limits from left and right, and of all between a_lo and a_hi, the highest. */
 int32_t envelope_height(envelope_t *h, int32_t a_lo, int32_t a_hi);
 

@@ -87,6 +87,17 @@ static void init_parallel(chart_t *c, const num_t x[2], const num_t y[2], const 
     c->turn[1] = num_mul(climb, c->turn[1]); /* what a row needs */
 }
 
+static bool has_eye(const chart_t *c, num_t at, num_t eye) {
+    return c->cam->perspective ? num_cmp(at, eye) == 0 : num_sign(eye) == 0;
+}
+
+bool chart_column_has_eye(const chart_t *c, int32_t i) {
+    return has_eye(c, x_at(c, i), c->cam->eye[0]);
+}
+bool chart_row_has_eye(const chart_t *c, int32_t j) {
+    return has_eye(c, y_at(c, j), c->cam->eye[1]);
+}
+
 int8_t chart_seen(const chart_t *c, grid_t *g) {
     if (!c->cam->perspective) return 0;
     if (c->side_x != 0 || c->side_y != 0) return 0;

@@ -73,6 +73,10 @@ void chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam
  * both. May ask the grid for four heights. */
 int8_t chart_seen(const chart_t *c, grid_t *g);
 
+/* Is the eye in the vertical plane of a column (row), exactly? Parallel views: is their direction? */
+bool chart_column_has_eye(const chart_t *c, int32_t i);
+bool chart_row_has_eye(const chart_t *c, int32_t j);
+
 /* Fills in row j of grid g: line->at, and line->z, line->hole if they are not NULL. */
 void chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line);
 

@@ -14,7 +14,7 @@
 #include "tests/oracle/run_cases.h"
 
 #define FIRST 9000000000u
-#define FAMILIES 12
+#define FAMILIES 16
 
 static double log_uniform(uint64_t *rng, double lo, double hi) {
     return lo * pow(hi / lo, scene_uniform(rng));
@@ -35,9 +35,9 @@ static void place(const scene_t *s, uint64_t *rng, double at[3]) {
             v * ((1 - u) * *height(s, i, j + 1) + u * *height(s, i + 1, j + 1));
 }
 
-/* Heights up to 10^(1..5) times the base, most of them low, as 1/(x*x+y*y) has them; the eye near the foot. */
+/* Heights up to 10^(1..6) times the base, most of them low, as 1/(x*x+y*y) has them; the eye near the foot. */
 static void tall(scene_t *s, uint64_t *rng) {
-    const double most = log_uniform(rng, 10, 1e5), side = scene_below(rng, 2) ? 1 : -1;
+    const double most = log_uniform(rng, 10, 1e6), side = scene_below(rng, 2) ? 1 : -1;
     for (int k = 0; k < s->ref.nx * s->ref.ny; k++) {
         double z = log_uniform(rng, 1e-3, most);
         s->ref.z[k] = scene_below(rng, 3) ? fmod(z, 1) : z * (scene_below(rng, 4) ? 1 : side);
@@ -118,50 +118,126 @@ static void holes(scene_t *s, uint64_t *rng) {
         }
 }
 
-static const char *const names[FAMILIES] = {"tall", "skimming", "far",  "cells 1e-4 to 1", "x1e9",  "x1e-9",
-                                            "wide", "lattice",  "1e-9", "cliffs",          "holes", "tall with holes"};
-
-static void push(scene_t *s, int family, uint64_t *rng) {
-    switch (family) {
+/* What people type that grows out of bounds: the heights are as steep as the functions are. */
+static double steep_function(int which, double x, double y) {
+    switch (which) {
     case 0:
-    case 11:
-        tall(s, rng);
-        break;
+        return pow(x, 9);
     case 1:
-        skimming(s, rng);
-        break;
+        return exp(3 * x * y);
     case 2:
-        far_away(s, rng);
-        break;
+        return 1 / (x * x + y * y);
     case 3:
-        scene_stretch(s, 1e4, rng);
-        snap(s);
-        break;
+        return tan(x + .5 * y);
     case 4:
-        rescale(s, 1e9, 1e9, 1e9);
-        break;
+        return log(x * x + y * y);
     case 5:
-        rescale(s, 1e-9, 1e-9, 1e-9);
-        break;
+        return floor(2 * x) * floor(3 * y);
     case 6:
-        rescale(s, log_uniform(rng, 1, 1e3), 1, log_uniform(rng, .1, 100));
-        break;
-    case 7:
-        lattice(s, rng);
-        break;
-    case 8:
-        billionths(s, rng);
-        break;
-    case 9:
-        cliffs(s, rng);
-        break;
+        return x * y / (x * x - y * y);
     default:
-        break;
+        return exp(x) * sin(5 * y) + 1e3 * (x * x < .1);
     }
-    if (family >= 10) holes(s, rng);
+}
+
+static void steep(scene_t *s, uint64_t *rng) {
+    const int which = scene_below(rng, 8);
+    const double kx = log_uniform(rng, .5, 3), ky = log_uniform(rng, .5, 3), most = log_uniform(rng, 1e2, 1e6);
+    for (int j = 0; j < s->ref.ny; j++)
+        for (int i = 0; i < s->ref.nx; i++) {
+            double z = steep_function(which, kx * s->ref.x[i], ky * s->ref.y[j]);
+            if (!(z < most)) z = most; /* a pole, or 0 / 0 */
+            *height(s, i, j) = z < -most ? -most : z;
+        }
+}
+
+/* Levels a million apart, exactly or nearly. */
+static void high_cliffs(scene_t *s, uint64_t *rng) {
+    const double high = log_uniform(rng, 1e4, 1e6), rough = scene_below(rng, 2) ? log_uniform(rng, 1e-9, 1) : 0;
+    for (int k = 0; k < s->ref.nx * s->ref.ny; k++) {
+        s->ref.z[k] = high * (scene_below(rng, 3) - 1) + rough * scene_uniform(rng);
+    }
+    if (s->ref.eye.h && scene_below(rng, 2)) s->ref.eye.z *= high;
+}
+
+/* One extreme height, one extreme grid, one extreme eye. */
+static void mixed(scene_t *s, uint64_t *rng) {
+    static void (*const shape[])(scene_t * s, uint64_t * rng) = {tall, high_cliffs, steep, billionths, cliffs};
+    const int heights = scene_below(rng, 7), eye = scene_below(rng, 5);
+    if (scene_below(rng, 2)) {
+        scene_stretch(s, log_uniform(rng, 10, 1e4), rng);
+        snap(s);
+    }
+    if (heights < 5) shape[heights](s, rng);
+    if (eye == 0) skimming(s, rng);
+    if (eye == 1) far_away(s, rng);
+    if (eye == 2) { /* in a plane of the grid, or almost */
+        s->ref.eye.x = s->ref.x[scene_below(rng, s->ref.nx)];
+        if (scene_below(rng, 2)) s->ref.eye.x += log_uniform(rng, 1e-12, 1e-3);
+    }
+    if (eye == 3) {
+        double at[3];
+        place(s, rng, at);
+        s->ref.eye = (exact_eye_t){at[0], at[1], at[2] + log_uniform(rng, 1e-3, 10), 1};
+        if (scene_below(rng, 2)) s->ref.eye.y = 2 + log_uniform(rng, 1e-3, 10);
+    }
+}
+
+/* A family: its name in front of the figures, and how a random scene is pushed there; holes: it may have some. */
+typedef struct family {
+    const char *name;
+    void (*push)(scene_t *s, uint64_t *rng);
+    bool holes;
+} family_t;
+
+static void billionfold(scene_t *s, uint64_t *rng) {
+    (void)rng;
+    rescale(s, 1e9, 1e9, 1e9);
+}
+static void billionth(scene_t *s, uint64_t *rng) {
+    (void)rng;
+    rescale(s, 1e-9, 1e-9, 1e-9);
+}
+static void wide(scene_t *s, uint64_t *rng) {
+    rescale(s, log_uniform(rng, 1, 1e3), 1, log_uniform(rng, .1, 100));
+}
+static void stretched(scene_t *s, uint64_t *rng) {
+    scene_stretch(s, 1e4, rng);
+    snap(s);
+}
+static void tall_with_holes(scene_t *s, uint64_t *rng) {
+    tall(s, rng);
+    holes(s, rng);
+}
+static void mixed_with_holes(scene_t *s, uint64_t *rng) {
+    mixed(s, rng);
+    holes(s, rng);
+}
+
+static const family_t families[FAMILIES] = {
+    {"tall", tall, false},
+    {"skimming", skimming, false},
+    {"far", far_away, false},
+    {"cells 1e-4 to 1", stretched, false},
+    {"x1e9", billionfold, false},
+    {"x1e-9", billionth, false},
+    {"wide", wide, false},
+    {"lattice", lattice, false},
+    {"1e-9", billionths, false},
+    {"cliffs", cliffs, false},
+    {"holes", holes, true},
+    {"tall with holes", tall_with_holes, true},
+    {"cliffs of 1e6", high_cliffs, false},
+    {"steep functions", steep, false},
+    {"mixed", mixed, false},
+    {"mixed with holes", mixed_with_holes, true},
+};
+
+static void push(scene_t *s, const family_t *f, uint64_t *rng) {
+    f->push(s, rng);
     scene_aim(s);
     strncat(s->what, ", ", sizeof s->what - strlen(s->what) - 1);
-    strncat(s->what, names[family], sizeof s->what - strlen(s->what) - 1);
+    strncat(s->what, f->name, sizeof s->what - strlen(s->what) - 1);
 }
 
 static void test_families(void **state) {
@@ -169,7 +245,7 @@ static void test_families(void **state) {
     uint64_t first = FIRST, count = cases_scaled(100) * FAMILIES;
     int failed = 0;
     cases_t c[FAMILIES];
-    for (int f = 0; f < FAMILIES; f++) c[f] = (cases_t){.name = names[f]};
+    for (int f = 0; f < FAMILIES; f++) c[f] = (cases_t){.name = families[f].name};
     if (cases_only_seed(&first)) {
         count = 1;
     } else {
@@ -179,8 +255,8 @@ static void test_families(void **state) {
         const int family = (int)(seed % FAMILIES);
         scene_t s;
         uint64_t rng = seed ^ 0xe7;
-        scene_random(&s, seed, 10, family >= 10);
-        push(&s, family, &rng);
+        scene_random(&s, seed, 10, families[family].holes);
+        push(&s, &families[family], &rng);
         if (!cases_surface(&c[family], &s, seed, failed < 3)) {
             printf("#   repeat: RIDGELINE_SEED=%llu build/tests/property/test_extreme_random\n",
                    (unsigned long long)seed);
