@@ -93,7 +93,7 @@ static bool is_in_plane_of_eye(const edges_t *e) {
 
 int edges_clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
     if (e->chart.kind == CHART_VERTICAL) return edges_take_unseen(e, 0, ONE_Q30);
-    if (p0.a == p1.a) e->horizons.in_plane = is_in_plane_of_eye(e);
+    if (envelope_vertical(p0, p1)) e->horizons.in_plane = is_in_plane_of_eye(e);
     if (e->cover == COVER_HORIZONS) return horizons_clip(&e->horizons, p0, p1);
     if (!e->outline_only) return edges_clip_windowed(e, p0, p1);
     if (p0.a != p1.a && e->lines < OUTLINE_LINES) {
@@ -120,7 +120,7 @@ int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_
 
 /* The common case without a call more. */
 static inline int clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
-    if (e->cover == COVER_HORIZONS && p0.a != p1.a) return horizons_clip(&e->horizons, p0, p1);
+    if (e->cover == COVER_HORIZONS && !envelope_vertical(p0, p1)) return horizons_clip(&e->horizons, p0, p1);
     return edges_clip_line(e, p0, p1);
 }
 
@@ -128,7 +128,7 @@ static inline int clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
  * vertical only if it passes under the eye. */
 static bool is_vertical(const edges_t *e, pencil_t p0, pencil_t p1, int32_t across) {
     if (e->chart.kind == CHART_AROUND && !edges_is_straight(p0, p1)) return across == 0;
-    return p0.a == p1.a;
+    return envelope_vertical(p0, p1);
 }
 
 bool edges_row_is_vertical(const edges_t *e, const chart_line_t *line, int32_t i) {

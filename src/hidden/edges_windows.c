@@ -12,16 +12,13 @@ static int take_parts(edges_t *e, const windows_part_t *part, int32_t n, bool tu
     return err;
 }
 
-/* A vertical line shows where it would to the side on which the facet at hand is: beyond the horizons, or in a window.
- */
-static int clip_vertical_windowed(edges_t *e, pencil_t p0, pencil_t p1) {
-    const int32_t low = pencil_min(p0.w, p1.w), high = pencil_max(p0.w, p1.w);
-    const int32_t x = edges_facet_is_right(e, p0, p1) ? pencil_max(p0.a, p1.a) + 1 : pencil_min(p0.a, p1.a) - 1;
-    const int32_t top = envelope_height(&e->horizons.upper, x, x), bottom = -envelope_height(&e->horizons.lower, x, x);
-    windows_part_t part[WINDOWS_PARTS];
-    if (low == high) return 0;
-    int32_t n = windows_clip_vertical(&e->windows, x, low, high, part);
+/* Adds what shows of a vertical line at abscissa x, to its left or right: beyond the horizons, or in a window. */
+static int32_t add_beside(edges_t *e, int32_t x, int32_t low, int32_t high, windows_part_t part[WINDOWS_PARTS],
+                          int32_t n) {
+    const int32_t top = envelope_limits(&e->horizons.upper, x).left;
+    const int32_t bottom = -envelope_limits(&e->horizons.lower, x).left;
     const uint32_t height = (uint32_t)(high - low);
+    n = windows_clip_vertical(&e->windows, x, low, high, part, n);
     if (high > top + ENVELOPE_NOISE) {
         const int32_t from = top <= low ? 0 : (int32_t)pencil_fraction((uint32_t)(top - low), height);
         n = windows_add_part(part, n, (windows_part_t){from, ONE_Q30});
@@ -30,6 +27,19 @@ static int clip_vertical_windowed(edges_t *e, pencil_t p0, pencil_t p1) {
         const int32_t to = bottom >= high ? ONE_Q30 : (int32_t)pencil_fraction((uint32_t)(bottom - low), height);
         n = windows_add_part(part, n, (windows_part_t){0, to});
     }
+    return n;
+}
+
+/* A line in the eye's own plane shows where it would to the side on which the facet at hand is. If it is vertical only
+ * nearly, rounding does not say on which side it is: it shows where it would on either. */
+static int clip_vertical_windowed(edges_t *e, pencil_t p0, pencil_t p1) {
+    const int32_t low = pencil_min(p0.w, p1.w), high = pencil_max(p0.w, p1.w);
+    const bool both = !e->horizons.in_plane, right = edges_facet_is_right(e, p0, p1);
+    windows_part_t part[WINDOWS_PARTS];
+    int32_t n = 0;
+    if (low == high) return 0;
+    if (both || right) n = add_beside(e, pencil_max(p0.a, p1.a) + 1, low, high, part, n);
+    if (both || !right) n = add_beside(e, pencil_min(p0.a, p1.a) - 1, low, high, part, n);
     return take_parts(e, part, n, p1.w < p0.w);
 }
 
@@ -69,7 +79,7 @@ static int open_windows(edges_t *e, pencil_t l, pencil_t r) {
 int edges_clip_windowed(edges_t *e, pencil_t p0, pencil_t p1) {
     const bool turn = p1.a < p0.a;
     const pencil_t l = turn ? p1 : p0, r = turn ? p0 : p1;
-    const bool vertical = envelope_vertical(l, r, e->chart.narrow);
+    const bool vertical = envelope_vertical(l, r);
     int err = 0;
     if (vertical && e->work != EDGES_COVER) err = clip_vertical_windowed(e, p0, p1);
     if (err != 0 || l.a == r.a) return err;

@@ -107,11 +107,10 @@ static inline bool envelope_above(pencil_t p, pencil_t q, pencil_t x, envelope_c
     return envelope_orient(p, q, x) > envelope_noise(p, q);
 }
 
-/* Is the line p-q vertical, but for rounding: steep, and no wider than `narrow` (chart.h)? Across such a line a unit of
- * a is worth many of w, so where it is visible cannot be told from crossings: it must be clipped at its abscissa. */
-static inline bool envelope_vertical(pencil_t p, pencil_t q, int32_t narrow) {
+/* Is the line p-q vertical, or so nearly that rounding its ends may have turned it over? */
+static inline bool envelope_vertical(pencil_t p, pencil_t q) {
     const int32_t run = pencil_abs(q.a - p.a), rise = pencil_abs(q.w - p.w);
-    return run <= narrow && rise >> 6 >= run;
+    return run <= 2 && rise >> 6 >= run;
 }
 
 static inline bool envelope_same(pencil_t p, pencil_t q) {

@@ -31,22 +31,24 @@ static int take_lower(void *ctx, envelope_part_t part) {
     return part.first && (h->has_upper || h->upper_apart) ? 0 : pass_on(h, part);
 }
 
-/* A horizon's limit at a, from both sides as one: the higher one for a line in the eye's own plane, which both sides
- * bound; otherwise the line is on one of them, and rounding does not say on which: the lower one, rather drawn than not.
- */
-static int32_t limit_at(envelope_t *h, int32_t a, bool in_plane) {
-    const envelope_limits_t v = envelope_limits(h, a);
-    return in_plane ? pencil_max(v.left, v.right) : pencil_min(v.left, v.right);
+/* A horizon's limits on both sides of a vertical line as one: the higher one for a line in the eye's own plane, which
+ * both sides bound; otherwise the line is on one of them, and rounding does not say on which: the lower one, rather drawn
+ * than not. */
+static int32_t limit_at(envelope_t *h, pencil_t l, pencil_t r, bool in_plane) {
+    const int32_t apart = l.a == r.a ? 0 : 1;
+    const int32_t left = envelope_limits(h, l.a - apart).left, right = envelope_limits(h, r.a + apart).right;
+    return in_plane ? pencil_max(left, right) : pencil_min(left, right);
 }
 
 /* A vertical line covers an interval of w at one abscissa. */
 static int clip_vertical(horizons_t *h, pencil_t l, pencil_t r) {
     int32_t lo = pencil_min(l.w, r.w), hi = pencil_max(l.w, r.w), height = hi - lo;
-    int32_t top = h->has_upper ? limit_at(&h->upper, l.a, h->in_plane) : ENVELOPE_LIMIT;
-    int32_t bottom = h->has_lower ? -limit_at(&h->lower, l.a, h->in_plane) : -ENVELOPE_LIMIT;
+    int32_t top = h->has_upper ? limit_at(&h->upper, l, r, h->in_plane) : ENVELOPE_LIMIT;
+    int32_t bottom = h->has_lower ? -limit_at(&h->lower, l, r, h->in_plane) : -ENVELOPE_LIMIT;
     int32_t from = 0, to = ONE_Q30;
     const bool falling = r.w < l.w;
     if (height == 0) return 0;
+    if (h->has_upper && h->has_lower && bottom > top + 2 * ENVELOPE_NOISE) top = -ENVELOPE_LIMIT; /* nothing hides it on both sides */
     if (hi > top + ENVELOPE_NOISE) {
         if (top > lo + ENVELOPE_NOISE) from = (int32_t)pencil_fraction((uint32_t)(top - lo), (uint32_t)height);
         int err = pass_on(h, falling ? (envelope_part_t){.to_q30 = ONE_Q30 - from}
@@ -84,7 +86,11 @@ int horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1) {
     h->flip = p1.a < p0.a;
     h->whole = false;
     pencil_t l = h->flip ? p1 : p0, r = h->flip ? p0 : p1;
-    if (l.a == r.a) return clip_vertical(h, l, r);
+    if (envelope_vertical(l, r)) {
+        int err = clip_vertical(h, l, r);
+        return err != 0 || l.a == r.a ? err : horizons_raise(h, l, r);
+    }
+    if (l.a == r.a) return 0;
     if (h->has_upper && !h->skip_upper) {
         int n = envelope_clip(&h->upper, l, r, take_upper, h, &h->count);
         if (n < 0) return n;

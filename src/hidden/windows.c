@@ -214,10 +214,9 @@ int32_t windows_clip(const windows_t *w, pencil_t p, pencil_t q, windows_part_t 
 }
 
 int32_t windows_clip_vertical(const windows_t *w, int32_t x, int32_t low, int32_t high,
-                              windows_part_t part[WINDOWS_PARTS]) {
+                              windows_part_t part[WINDOWS_PARTS], int32_t n) {
     const windows_lists_t lists = windows_lists(w, windows_bin(w, x), low, high);
     const uint32_t height = (uint32_t)(high - low);
-    int32_t n = 0;
     for (int32_t l = 0; l <= lists.last; l = windows_next_list(&lists, l)) {
         for (int32_t k = lists.of[l]; k >= 0; k = w->pool[k].next) {
             const window_t *v = &w->pool[k];

@@ -65,9 +65,9 @@ int windows_open(windows_t *w, envelope_t *h, pencil_t p, pencil_t q, bool lower
 #define WINDOWS_PARTS 32
 int32_t windows_clip(const windows_t *w, pencil_t p, pencil_t q, windows_part_t part[WINDOWS_PARTS]);
 
-/* The same for a vertical edge from low to high, low < high, next to abscissa x. */
+/* The same for a vertical edge from low to high, low < high, next to abscissa x; added to n parts. */
 int32_t windows_clip_vertical(const windows_t *w, int32_t x, int32_t low, int32_t high,
-                              windows_part_t part[WINDOWS_PARTS]);
+                              windows_part_t part[WINDOWS_PARTS], int32_t n);
 
 /* Adds a part to n sorted ones, in its place; parts that touch become one. Returns how many there are then. */
 int32_t windows_add_part(windows_part_t part[WINDOWS_PARTS], int32_t n, windows_part_t v);

@@ -233,8 +233,31 @@ static const family_t families[FAMILIES] = {
     {"mixed with holes", mixed_with_holes, true},
 };
 
+/* How far the eye is from the surface over or under it, measured across. On the surface nothing has a right answer. */
+static double clearance(const scene_t *s) {
+    const surface_ref_t *r = &s->ref;
+    const exact_eye_t *e = &r->eye;
+    if (!e->h) return INFINITY;
+    double least = INFINITY;
+    for (int j = 0; j + 1 < r->ny; j++)
+        for (int i = 0; i + 1 < r->nx; i++) {
+            const double dx = r->x[i + 1] - r->x[i], dy = r->y[j + 1] - r->y[j];
+            const double u = fmin(fmax((e->x - r->x[i]) / dx, 0), 1), v = fmin(fmax((e->y - r->y[j]) / dy, 0), 1);
+            const double z00 = *height(s, i, j), z10 = *height(s, i + 1, j), z01 = *height(s, i, j + 1),
+                         z11 = *height(s, i + 1, j + 1);
+            const double slope_x = ((1 - v) * (z10 - z00) + v * (z11 - z01)) / dx;
+            const double slope_y = ((1 - u) * (z01 - z00) + u * (z11 - z10)) / dy;
+            const double z = (1 - v) * ((1 - u) * z00 + u * z10) + v * ((1 - u) * z01 + u * z11);
+            const double across = fabs(e->z - z) / hypot(1, hypot(slope_x, slope_y));
+            least = fmin(least, hypot(across, hypot(e->x - r->x[i] - u * dx, e->y - r->y[j] - v * dy)));
+        }
+    return least;
+}
+
 static void push(scene_t *s, const family_t *f, uint64_t *rng) {
     f->push(s, rng);
+    const double width = s->ref.x[s->ref.nx - 1] - s->ref.x[0];
+    for (int k = 0; k < 40 && clearance(s) < 25e-6 * width; k++) s->ref.eye.z += width * ldexp(25e-5, k);
     scene_aim(s);
     strncat(s->what, ", ", sizeof s->what - strlen(s->what) - 1);
     strncat(s->what, f->name, sizeof s->what - strlen(s->what) - 1);
