@@ -113,7 +113,7 @@ int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_
         int err = windows_init(&e->windows, e->chart.grid->nx, pool + count, count * sizeof *pool);
         if (err != 0) return err;
     }
-    int err = horizons_init(&e->horizons, upper, lower, e->chart.narrow, pool, count, edges_take_part, e);
+    int err = horizons_init(&e->horizons, upper, lower, pool, count, edges_take_part, e);
     e->horizons.upper_apart = turn < 0;
     return err;
 }

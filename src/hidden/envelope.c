@@ -246,13 +246,3 @@ envelope_limits_t envelope_limits(envelope_t *h, int32_t a) {
     }
     return (envelope_limits_t){h->l[-2].a == a ? h->l[-2].w : last.w, last.w};
 }
-
-int32_t envelope_height(envelope_t *h, int32_t a_lo, int32_t a_hi) {
-    envelope_seek(h, a_lo - 1);
-    int32_t top = pencil_ordinate(h->l[-1], *h->r, a_lo);
-    const pencil_t *p = h->r;
-    for (; p->a <= a_hi; p++) top = pencil_max(top, p->w);
-    const pencil_t *before = p == h->r ? h->l - 1 : p - 1;
-    if (before->a < a_hi) top = pencil_max(top, pencil_ordinate(*before, *p, a_hi));
-    return top;
-}

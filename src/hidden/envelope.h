@@ -65,9 +65,6 @@ typedef struct envelope_limits {
 } envelope_limits_t;
 envelope_limits_t envelope_limits(envelope_t *h, int32_t a);
 
-/* The height of h at abscissa a: of its limits from left and right, and of all between a_lo and a_hi, the highest. */
-int32_t envelope_height(envelope_t *h, int32_t a_lo, int32_t a_hi);
-
 /* Where the edge p-q crosses the line v-w, rounded, p.a <= result.a <= q.a. If the signs that called for it differ only
  * by the dead zone there is no crossing: the edge then emerges at v, or goes under at w, itself. */
 pencil_t envelope_crossing(pencil_t p, pencil_t q, pencil_t v, pencil_t w, bool emerges, envelope_count_t *count);

@@ -11,8 +11,6 @@
 
 #define NEAREST_BITS 6 /* profiles nearer than 2^-6 of the farthest are left out */
 
-#define NARROW 64 /* units: what counts as a vertical piece of a profile if it is steep */
-
 typedef struct drawing {
     const profiles_t *src;
     horizons_t horizons;
@@ -124,8 +122,7 @@ int horizon_draw(const profiles_t *src, const camera_t *cam, bool infinite, cons
                  hidden_stats_t *stats) {
     drawing_t d = {.src = src, .runs = {.sink = job->sink}};
     *stats = (hidden_stats_t){0};
-    int err =
-        horizons_init(&d.horizons, true, !infinite, NARROW, job->mem, job->bytes / sizeof(pencil_t), take_part, &d);
+    int err = horizons_init(&d.horizons, true, !infinite, job->mem, job->bytes / sizeof(pencil_t), take_part, &d);
     if (err == 0) err = measure(&d, cam);
     for (int32_t k = 0; k < src->count && err == 0; k++) {
         num_t depth;

@@ -3,9 +3,9 @@
 
 #define ONE_Q30 (INT32_C(1) << 30)
 
-int horizons_init(horizons_t *h, bool upper, bool lower, int32_t narrow, pencil_t *pool, size_t count,
-                  envelope_take_t take, void *ctx) {
-    *h = (horizons_t){.has_upper = upper, .has_lower = lower, .narrow = narrow, .take = take, .ctx = ctx};
+int horizons_init(horizons_t *h, bool upper, bool lower, pencil_t *pool, size_t count, envelope_take_t take,
+                  void *ctx) {
+    *h = (horizons_t){.has_upper = upper, .has_lower = lower, .take = take, .ctx = ctx};
     return envelope_init(upper ? &h->upper : &h->lower, upper && lower ? &h->lower : NULL, pool, count);
 }
 
@@ -32,8 +32,8 @@ static int take_lower(void *ctx, envelope_part_t part) {
 }
 
 /* A horizon's limits on both sides of a vertical line as one: the higher one for a line in the eye's own plane, which
- * both sides bound; otherwise the line is on one of them, and rounding does not say on which: the lower one, rather drawn
- * than not. */
+ * both sides bound; otherwise the line is on one of them, and rounding does not say on which: the lower one, rather
+ * drawn than not. */
 static int32_t limit_at(envelope_t *h, pencil_t l, pencil_t r, bool in_plane) {
     const int32_t apart = l.a == r.a ? 0 : 1;
     const int32_t left = envelope_limits(h, l.a - apart).left, right = envelope_limits(h, r.a + apart).right;
@@ -48,7 +48,8 @@ static int clip_vertical(horizons_t *h, pencil_t l, pencil_t r) {
     int32_t from = 0, to = ONE_Q30;
     const bool falling = r.w < l.w;
     if (height == 0) return 0;
-    if (h->has_upper && h->has_lower && bottom > top + 2 * ENVELOPE_NOISE) top = -ENVELOPE_LIMIT; /* nothing hides it on both sides */
+    if (h->has_upper && h->has_lower && bottom > top + 2 * ENVELOPE_NOISE)
+        top = -ENVELOPE_LIMIT; /* nothing hides it on both sides */
     if (hi > top + ENVELOPE_NOISE) {
         if (top > lo + ENVELOPE_NOISE) from = (int32_t)pencil_fraction((uint32_t)(top - lo), (uint32_t)height);
         int err = pass_on(h, falling ? (envelope_part_t){.to_q30 = ONE_Q30 - from}

@@ -11,7 +11,6 @@ typedef struct horizons {
     envelope_t upper, lower;
     bool has_upper, has_lower;
     bool upper_apart; /* the upper one belongs to another sweep, which takes what is first at its abscissae */
-    int32_t narrow;   /* see envelope_vertical */
     bool in_plane;    /* the vertical line at hand is in the eye's own plane, not only nearly */
     envelope_count_t count;
     envelope_take_t take; /* gets visible parts as fractions from p0 to p1, in no particular order */
@@ -21,11 +20,11 @@ typedef struct horizons {
 } horizons_t;
 
 /* Empty horizons in pool[0..count). Returns 0 or ERR_FULL. */
-int horizons_init(horizons_t *h, bool upper, bool lower, int32_t narrow, pencil_t *pool, size_t count,
-                  envelope_take_t take, void *ctx);
+int horizons_init(horizons_t *h, bool upper, bool lower, pencil_t *pool, size_t count, envelope_take_t take, void *ctx);
 
 /* Clips the line p0-p1 and raises the horizons. Lines that are vertical (envelope_vertical) are clipped at their
- * abscissa. Returns 0, ERR_FULL, or take's error. */
+ * abscissa: in the eye's own plane they are hidden where either side hides them, so that edges that all lie on one line
+ * of the page are drawn once; otherwise where both sides do. Returns 0, ERR_FULL, or take's error. */
 int horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1);
 
 /* Takes what is visible of a line that is not vertical; the horizons stay as they are. */

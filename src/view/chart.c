@@ -8,9 +8,6 @@
 /* A single sector is used while directions differ by less than this slope: at its border a unit of a is then
  * MAX_SLOPE^2 + 1 times as fine in angle as in its middle. */
 #define MAX_SLOPE 8
-/* 2^-21 of the page, in units of a: where all directions of a chart are as fine as in its middle, and where not. */
-#define NARROW_EVEN 512
-#define NARROW_UNEVEN (NARROW_EVEN / (MAX_SLOPE * MAX_SLOPE))
 /* A single sector's w has one scale: slopes that differ by more than 2^MAX_STEEP take the zones of CHART_AROUND. */
 #define MAX_STEEP 9
 
@@ -121,12 +118,6 @@ int8_t chart_seen(const chart_t *c, grid_t *g) {
     return num_cmp(c->cam->eye[2], height) >= 0 ? 1 : -1;
 }
 
-/* Is the nearest point of [v0, v1] at least twice that range away? */
-static bool is_remote(const num_t v[2], num_t eye_v) {
-    num_t near = num_cmp(eye_v, v[0]) < 0 ? num_sub(v[0], eye_v) : num_sub(eye_v, v[1]);
-    return num_cmp(near, num_ldexp(num_sub(v[1], v[0]), 1)) >= 0;
-}
-
 /* Is z, seen from beyond the range v, too steep for one scale of w? The scale is as fine as the greatest slope allows;
  * how fine it must be depends on the least one. */
 static bool is_steep(const num_t z[2], const num_t v[2], const num_t eye_z, num_t eye_v) {
@@ -165,20 +156,17 @@ void chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam
         c->i0 = c->side_x > 0 ? g->nx - 2 : 0;
         c->j0 = c->side_y > 0 ? g->ny - 2 : 0;
         c->kind = CHART_PARALLEL;
-        c->narrow = NARROW_EVEN;
         init_parallel(c, x, y, z);
         return;
     }
     c->i0 = cell_of(src->x_of, src->ctx, g->nx, e[0], &c->side_x);
     c->j0 = cell_of(src->y_of, src->ctx, g->ny, e[1], &c->side_y);
-    c->narrow = NARROW_UNEVEN;
     num_t limit = num_from_i64(MAX_SLOPE), slope_x = limit, slope_y = limit;
     if (c->side_y != 0 && !is_steep(z, y, e[2], e[1])) slope_y = slope_of(x, y, e[0], e[1]);
     if (c->side_x != 0 && !is_steep(z, x, e[2], e[0])) slope_x = slope_of(y, x, e[1], e[0]);
     if (num_cmp(slope_y, limit) < 0 && num_cmp(slope_y, slope_x) <= 0) {
         c->kind = CHART_NORTH;
         c->sign = (int8_t)-c->side_y;
-        if (is_remote(y, e[1])) c->narrow = NARROW_EVEN;
         plane_init(&c->plane, true, x, y, z, e);
         c->z_bits = c->plane.z_bits;
         for (int32_t i = 0; i < g->nx; i++) {
@@ -188,7 +176,6 @@ void chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam
     } else if (num_cmp(slope_x, limit) < 0) {
         c->kind = CHART_EAST;
         c->sign = (int8_t)-c->side_x;
-        if (is_remote(x, e[0])) c->narrow = NARROW_EVEN;
         plane_init(&c->plane, true, y, x, z, (num_t[3]){e[1], e[0], e[2]});
         c->z_bits = c->plane.z_bits;
         for (int32_t i = 0; i < g->nx; i++) {

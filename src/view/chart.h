@@ -45,7 +45,6 @@ typedef struct chart {
     int32_t i0, j0;                 /* the eye's cell, clamped to the grid */
     int8_t side_x, side_y;          /* -1, 1: the eye is before the first, beyond the last column (row); 0: neither */
     int8_t sign;                    /* of dy (CHART_NORTH) or dx (CHART_EAST) */
-    int32_t narrow;                 /* what is less apart in a is less than a sixteenth of a step apart on A4 */
     plane_t plane;                  /* CHART_NORTH: u is x, v is y; CHART_EAST: u is y, v is x */
     num_t x_ref, y_ref, z_ref;      /* CHART_PARALLEL: the middle; CHART_AROUND: the eye */
     num_t turn[2];                  /* CHART_PARALLEL: what a row's y adds to a and w, negative */

@@ -229,5 +229,11 @@ void scene_print(const scene_t *s) {
         printf("};\n");
     }
     printf("exact_eye_t eye = {%.17g, %.17g, %.17g, %d};\n", r->eye.x, r->eye.y, r->eye.z, r->eye.h);
+    printf("double camera[3][4] = {"); /* view.m: shrinking keeps it, scene_aim would choose another */
+    for (int k = 0; k < 3; k++) {
+        const double *m = s->view.m[k];
+        printf("%s{%.17g, %.17g, %.17g, %.17g}", k ? ", " : "", m[0], m[1], m[2], m[3]);
+    }
+    printf("};\n");
     fflush(stdout);
 }

@@ -24,7 +24,7 @@ static void test_larger(void **state) {
 /* Steep edges that fall together but for rounding: nothing shows between them. */
 static void test_steep_together(void **state) {
     (void)state;
-    cases_t c = {.name = "steep edges together"};
+    cases_t c = {.name = "steep edges together", .program = NAME};
     scene_t s;
     scene_random(&s, 4000003441, 40, true);
     const bool good = cases_surface(&c, &s, 4000003441, false);

@@ -8,14 +8,8 @@ int lattice_shift;
 int lattice_simplify;
 int lattice_profiles;
 
-void __real_chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam, chart_column_t *column);
-void __wrap_chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam, chart_column_t *column);
 void __real_chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line);
 void __wrap_chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line);
-int __real_horizons_init(horizons_t *h, bool upper, bool lower, int32_t narrow, pencil_t *pool, size_t count,
-                         envelope_take_t take, void *ctx);
-int __wrap_horizons_init(horizons_t *h, bool upper, bool lower, int32_t narrow, pencil_t *pool, size_t count,
-                         envelope_take_t take, void *ctx);
 int __real_horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1);
 int __wrap_horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1);
 
@@ -26,21 +20,10 @@ static pencil_t coarse_point(pencil_t p) {
     return (pencil_t){coarse(p.a), coarse(p.w)};
 }
 
-void __wrap_chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam, chart_column_t *column) {
-    __real_chart_init(c, grid, n, cam, column);
-    c->narrow >>= lattice_shift;
-}
-
 void __wrap_chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line) {
     __real_chart_row(c, g, j, line);
     if (lattice_shift && c->kind < CHART_AROUND)
         for (int32_t i = 0; i < g->nx; i++) line->at[i] = coarse_point(line->at[i]);
-}
-
-int __wrap_horizons_init(horizons_t *h, bool upper, bool lower, int32_t narrow, pencil_t *pool, size_t count,
-                         envelope_take_t take, void *ctx) {
-    return __real_horizons_init(h, upper, lower, lattice_profiles ? narrow >> lattice_shift : narrow, pool, count, take,
-                                ctx);
 }
 
 /* Takes what is nearly straight out of the part of a horizon that was just made: left of the gap. */

@@ -3,7 +3,7 @@ REPORT_DIR ?= docs/report
 REPORT_LIB := $(patsubst %.c,$(BUILDDIR)/obj/%.o,$(filter-out tests/report/report_%.c,$(wildcard tests/report/*.c)))
 REPORTS := $(patsubst tests/report/%.c,$(BUILDDIR)/report/%,$(wildcard tests/report/report_*.c))
 # lattice.c stands before these functions of src/.
-REPORT_WRAP := $(addprefix -Wl$(comma)--wrap=,chart_init chart_row horizons_init horizons_clip)
+REPORT_WRAP := $(addprefix -Wl$(comma)--wrap=,chart_row horizons_clip)
 
 $(BUILDDIR)/report/%: $(BUILDDIR)/obj/tests/report/%.o $(REPORT_LIB) $(BUILDDIR)/liboracle.a $(BUILDDIR)/libhost.a $(BUILDDIR)/libcore.a
 	@mkdir -p $(@D)

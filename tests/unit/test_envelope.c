@@ -115,13 +115,13 @@ static void test_ties(void **state) {
     assert_true(t.p[1].from_q30 == 0 && t.p[1].to_q30 == 1 << 30 && !t.p[1].first);
 }
 
-/* A vertical line is clipped against what both neighbours reach. */
+/* A vertical line in the eye's own plane is hidden by what either neighbour reaches, another only by what both do. */
 static void test_vertical(void **state) {
     (void)state;
     pencil_t pool[64];
     horizons_t h;
     parts_t t = {.n = 0};
-    assert_int_equal(horizons_init(&h, true, true, 2, pool, 64, take, &t), 0);
+    assert_int_equal(horizons_init(&h, true, true, pool, 64, take, &t), 0);
     assert_int_equal(horizons_clip(&h, (pencil_t){-5000, 100000}, (pencil_t){0, 100000}), 0);
     assert_int_equal(horizons_clip(&h, (pencil_t){0, 100000}, (pencil_t){5000, 100000}), 0);
     t.n = 0;
@@ -129,7 +129,18 @@ static void test_vertical(void **state) {
     assert_int_equal(t.n, 1);
     assert_int_equal(t.p[0].to_q30 - t.p[0].from_q30, 1 << 30);
     assert_int_equal(horizons_clip(&h, (pencil_t){0, 200000}, (pencil_t){-5000, 200000}), 0);
+    for (int run = 0; run < 2; run++) {
+        t.n = 0;
+        assert_int_equal(horizons_clip(&h, (pencil_t){0, 300000}, (pencil_t){run, -100000}), 0);
+        assert_int_equal(t.n, 2); /* they meet where the line to the right is */
+        assert_true(t.p[0].from_q30 == 0 && t.p[0].to_q30 == 1 << 29);
+        assert_true(t.p[1].from_q30 == 1 << 29 && t.p[1].to_q30 == 1 << 30);
+    }
+    assert_int_equal(horizons_init(&h, true, true, pool, 64, take, &t), 0);
+    assert_int_equal(horizons_clip(&h, (pencil_t){-5000, 200000}, (pencil_t){0, 200000}), 0);
+    assert_int_equal(horizons_clip(&h, (pencil_t){0, 100000}, (pencil_t){-5000, 100000}), 0);
     t.n = 0;
+    h.in_plane = true;
     assert_int_equal(horizons_clip(&h, (pencil_t){0, 300000}, (pencil_t){0, -100000}), 0);
     assert_int_equal(t.n, 2);
     assert_true(t.p[0].from_q30 == 0 && abs(t.p[0].to_q30 - (1 << 28)) < 1000);
@@ -144,7 +155,7 @@ static void test_full(void **state) {
         pencil_t *pool = malloc((count + 1) * sizeof *pool);
         horizons_t h;
         parts_t t = {.n = 0};
-        int err = horizons_init(&h, true, true, 2, pool, count, take, &t);
+        int err = horizons_init(&h, true, true, pool, count, take, &t);
         for (int k = 0; k < 12 && err == 0; k++) {
             int32_t a = below(1000) * 1000 - 500000;
             t.n = 0;
