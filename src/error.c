@@ -1,6 +1,8 @@
 /* error.c - the sentences that go with the numbers of error.h. */
 #include "error.h"
 
+#include "config.h"
+
 static const char *const TEXT[] = {
     [0] = "no error",
     [-ERR_SYNTAX] = "syntax error",
@@ -13,6 +15,9 @@ static const char *const TEXT[] = {
     [-ERR_UNSUPPORTED] = "not supported",
     [-ERR_MACHINE] = "outside the limits of the machine",
     [-ERR_STOPPED] = "stopped",
+#if CONFIG_AREA
+    [-ERR_LIGHT] = "a point light must stand outside of the scene, and not close to it",
+#endif
 };
 
 const char *error_text(int err) {

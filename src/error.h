@@ -13,6 +13,7 @@ enum error {
     ERR_FILE = -7,        /* a file cannot be opened, read or written */
     ERR_UNSUPPORTED = -8, /* understood, but this program does not do it */
     ERR_MACHINE = -9,     /* outside the machine's limits, or the machine faulted */
+    ERR_LIGHT = -11,      /* a point light stands where it cannot be used */
     ERR_STOPPED = -10,    /* the user stopped it */
 };
 

@@ -14,6 +14,7 @@
 #include "app/arena.h"
 #include "app/picture_pens.h"
 #include "hidden/area.h"
+#include "hidden/area_border.h"
 #include "hidden/hatch.h"
 #include "hidden/hidden.h"
 #include "lang/plot.h"
@@ -100,7 +101,8 @@ typedef struct picture {
             solid_map_t solid_map;
 #if CONFIG_AREA
             area_stats_t area; /* of `set hidden3d area` */
-            hatch_t hatch;     /* lines[1] */
+            hatch_t hatch;     /* lines[LINE_HATCH] */
+            borders_t borders; /* lines[LINE_SHADOW] */
 #endif
         };
         struct {

@@ -11,6 +11,7 @@ uint32_t pens_wanted(const plot_t *plot) {
     if (picture_is_hatched(plot)) wanted |= 1u << s->pen[LINE_HATCH];
     if (plot->kind != PLOT_SOLIDS || picture_is_terrain(plot)) return wanted;
     wanted |= 1u << s->pen[LINE_SILHOUETTE];
+    if (s->shadow && s->shadow_outline && s->hidden == HIDDEN_AREA) wanted |= 1u << s->pen[LINE_SHADOW];
     if (s->dashed) wanted |= 1u << s->pen[LINE_HIDDEN];
     return wanted;
 }

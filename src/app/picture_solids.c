@@ -108,6 +108,8 @@ static int build(picture_t *p) {
 }
 
 #if CONFIG_AREA
+#define BORDERS_SHARE 16
+
 bool picture_is_hatched(const plot_t *plot) {
     const settings_t *set = plot->settings;
     return plot->kind == PLOT_SOLIDS && set->hidden == HIDDEN_AREA && set->hatch_um > 0;
@@ -127,12 +129,36 @@ static int64_t hatch_runs(const picture_t *p) {
     return picture_is_hatched(p->plot) ? 32 * (int64_t)hatch_lines(&p->hatch) : 0;
 }
 
+static bool has_borders(const plot_t *plot) {
+    const settings_t *set = plot->settings;
+    return plot->kind == PLOT_SOLIDS && set->hidden == HIDDEN_AREA && set->shadow && set->shadow_outline;
+}
+
+/* A part of the memory keeps the lines that are no edges, as long as they are drawn. */
+static int setup_tones(picture_t *p) {
+    if (picture_is_hatched(p->plot)) setup_hatch(p);
+    if (!has_borders(p->plot)) return 0;
+    size_t bytes = arena_left(&p->arena) / BORDERS_SHARE;
+    void *mem = arena_take(&p->arena, bytes);
+    if (!mem) return ERR_FULL;
+    borders_init(&p->borders, mem, bytes, &p->camera.window);
+    p->lines[LINE_SHADOW] = p->borders.lines;
+    return 0;
+}
+
 static int draw_area(picture_t *p, const hidden_job_t *job) {
     const settings_t *set = p->plot->settings;
-    area_tone_t tone = {&p->hatch, {{0}}, set->shadow};
-    for (int k = 0; k < 3; k++) tone.light[k] = num_from_i64(set->light_milli[k]);
-    return area_draw(&p->solid_map, picture_is_hatched(p->plot) ? &tone : NULL, LINE_HATCH, job, &p->stats.hidden,
-                     &p->area);
+    area_tone_t tone = {.shadow = set->shadow};
+    if (picture_is_hatched(p->plot)) tone.hatch = &p->hatch;
+    if (has_borders(p->plot)) tone.borders = &p->borders;
+    for (int n = 0; n < LIGHTS_MAX; n++) {
+        if (!set->light[n].on) continue;
+        light_t *light = &tone.light[tone.lights++];
+        const num_t milli = num_from_decimal(1, -3);
+        for (int k = 0; k < 3; k++) light->at[k] = num_mul(num_from_i64(set->light[n].milli[k]), milli);
+        light->point = set->light[n].point;
+    }
+    return area_draw(&p->solid_map, tone.hatch || tone.borders ? &tone : NULL, job, &p->stats.hidden, &p->area);
 }
 #else
 static int64_t hatch_runs(const picture_t *p) {
@@ -150,7 +176,8 @@ int picture_solids(picture_t *p, const pen_sink_t *pen) {
     int err = build(p);
     if (err) return err;
 #if CONFIG_AREA
-    if (picture_is_hatched(p->plot)) setup_hatch(p);
+    err = setup_tones(p);
+    if (err) return err;
 #endif
     size_t kernel_bytes = 0;
     void *kernel = set->hidden == HIDDEN_NONE ? NULL : picture_kernel_memory(p, &kernel_bytes);

@@ -57,9 +57,10 @@ size_t area_bytes(int32_t faces, int32_t corners);
 int area_sort(const solid_map_t *m, void *mem, size_t bytes, const area_sink_t *sink,
               void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx, area_stats_t *stats);
 struct area_tone; /* area_tone.h */
-/* Emits the visible parts of all edges as INK_SEGMENT; with a tone (may be NULL) hatching too, as INK_CURVE on surface
- * hatch_surface. Returns as area_sort, and ERR_VALUE for a light that cannot be used. */
-int area_draw(const solid_map_t *m, const struct area_tone *tone, uint8_t hatch_surface, const hidden_job_t *job,
-              hidden_stats_t *stats, area_stats_t *area);
+/* Emits the visible parts of all edges as INK_SEGMENT, surface 0; with a tone (may be NULL) hatching too, as INK_CURVE
+ * on surface LINE_HATCH, and borders of shadows on LINE_SHADOW. Returns as area_sort, and ERR_VALUE or ERR_LIGHT for a
+ * light that cannot be used. */
+int area_draw(const solid_map_t *m, const struct area_tone *tone, const hidden_job_t *job, hidden_stats_t *stats,
+              area_stats_t *area);
 
 #endif

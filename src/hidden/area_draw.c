@@ -3,6 +3,7 @@
 #include "hidden/area_face.h"
 #include "hidden/area_tone.h"
 #include "hidden/intervals.h"
+#include "hidden/line_class.h"
 
 #include "num/ints.h"
 
@@ -20,8 +21,7 @@ typedef struct edge_ink {
     const ink_sink_t *sink;
     hidden_stats_t *stats;
     area_toner_t *toner; /* NULL: no hatching */
-    const hatch_t *hatch;
-    uint8_t hatch_surface;
+    const area_tone_t *tone;
 } edge_ink_t;
 
 /* The edge's way on the page along its longer axis, as a place of the first end and a signed length. */
@@ -72,7 +72,7 @@ static int32_t least(void *ctx, int32_t line) {
     int64_t z[2];
     int64_t t[2], length, some = (int64_t)LEAST_LAT << ink->lattice.bits >> AREA_LATTICE_BITS;
     if (line >= ink->lattice.m->solid->ne)
-        return (int32_t)(HATCH_LEAST_LAT * INK_ONE / (2 * (int64_t)ink->hatch->reach_lat));
+        return (int32_t)(HATCH_LEAST_LAT * INK_ONE / (2 * (int64_t)ink->tone->hatch->reach_lat));
     if (!area_edge(&ink->lattice, line, end, z, t)) return 0;
     along(end, (poly_point_t){0, 0}, &length);
     if (length < 0) length = -length;
@@ -83,7 +83,7 @@ static int emit(void *ctx, const interval_t *part) {
     edge_ink_t *ink = ctx;
     int32_t ne = ink->lattice.m->solid->ne;
     if (part->line >= ne) {
-        const ink_piece_t stroke = {INK_CURVE, ink->hatch_surface, part->line - ne, part->from_q30, part->to_q30};
+        const ink_piece_t stroke = {INK_CURVE, LINE_HATCH, part->line - ne, part->from_q30, part->to_q30};
         ink->stats->pieces++;
         return ink->sink->piece(ink->sink->ctx, &stroke);
     }
@@ -96,25 +96,38 @@ static int emit(void *ctx, const interval_t *part) {
     return ink->sink->piece(ink->sink->ctx, &piece);
 }
 
-int area_draw(const solid_map_t *m, const area_tone_t *tone, uint8_t hatch_surface, const hidden_job_t *job,
-              hidden_stats_t *stats, area_stats_t *area) {
+static int emit_borders(edge_ink_t *ink) {
+    borders_t *b = ink->tone->borders;
+    borders_settle(b);
+    for (int32_t k = 0; k < b->n; k++) {
+        const ink_piece_t piece = {INK_CURVE, LINE_SHADOW, k, 0, INK_ONE};
+        ink->stats->pieces++;
+        int err = ink->sink->piece(ink->sink->ctx, &piece);
+        if (err) return err;
+    }
+    return 0;
+}
+
+int area_draw(const solid_map_t *m, const area_tone_t *tone, const hidden_job_t *job, hidden_stats_t *stats,
+              area_stats_t *area) {
     *stats = (hidden_stats_t){.edges = m->solid->ne};
-    edge_ink_t ink = {.lattice = area_lattice(m), .sink = job->sink, .stats = stats, .hatch_surface = hatch_surface};
+    edge_ink_t ink = {.lattice = area_lattice(m), .sink = job->sink, .stats = stats, .tone = tone};
     size_t part = job->bytes / SHARES & ~(size_t)7, tone_bytes = tone ? part * TONE_SHARES : 0;
     if (tone && !tone->shadow && area_toner_bytes(m) < tone_bytes) tone_bytes = area_toner_bytes(m);
     size_t sort_bytes = part * (SHARES - INTERVALS_SHARES) - tone_bytes;
     uint8_t *mem = job->mem;
     intervals_init(&ink.parts, mem + sort_bytes + tone_bytes, part * INTERVALS_SHARES);
     if (tone) {
-        ink.hatch = tone->hatch;
         int err = area_toner_make(&ink.toner, tone, m, mem + sort_bytes, tone_bytes, mem, sort_bytes);
         if (err) return err;
     }
     const area_sink_t sink = {&ink, take_polygon, take_wire};
     int err = area_sort(m, mem, sort_bytes, &sink, job->tick, job->tick_ctx, area);
+    if (tone && area_toner_intersections(ink.toner) > area->intersections)
+        area->intersections = area_toner_intersections(ink.toner);
     stats->facets = area->polygons;
     stats->bytes = job->bytes;
-    if (err) return err;
     const interval_use_t use = {&ink, least, emit};
-    return intervals_finish(&ink.parts, &use);
+    if (!err) err = intervals_finish(&ink.parts, &use);
+    return !err && tone && tone->borders ? emit_borders(&ink) : err;
 }

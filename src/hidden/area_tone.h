@@ -1,34 +1,39 @@
-/* area_tone.h - light, shadow and hatching for the area sort.
+/* area_tone.h - tones of visible polygons: how many lights reach them, and how steeply.
  *
- * Shadows as Weiler and Atherton make them (section "Shadowing"): the scene is sorted once more, seen from the light;
- * the polygons visible from there are lit, and come back as detail of the faces they belong to. A visible polygon is
- * clipped by what is lit of its face: inside it has the tone of its slope to the light, outside that of shadow. The
- * light is parallel. Lit polygons are mapped from one view to the other over three corners of the face: affine in
- * space, so also right in perspective.
+ * With shadows a visible polygon is clipped by what each light in turn reaches of its face (area_light.h), so it falls
+ * into parts with one answer from every light; without, slopes alone count. The brightness of a part is the sum of the
+ * cosines of the lights that reach it, as a share of what a face gets that is turned squarely to all of them; hatch.h
+ * makes tones of it. What no light reaches has the darkest.
  *
- * Tones by the cosine between the face and the light: >= 0.8 none, >= 0.5 every second hatch line, >= 0.2 every line,
- * less and in shadow both families. */
+ * Borders of shadows, if they are wanted, are the edges that the clipper finds between a part that a light reaches and
+ * one that it does not (area_border.h), each once. */
 #ifndef AREA_TONE_H
 #define AREA_TONE_H
 
 #include "hidden/area.h"
+#include "hidden/area_border.h"
+#include "hidden/area_light.h"
 #include "hidden/hatch.h"
 
 typedef struct area_tone {
-    hatch_t *hatch;
-    num_t light[3]; /* direction to the light, in the scene's coordinates */
-    bool shadow;    /* cast shadows; otherwise slopes alone count */
+    hatch_t *hatch; /* NULL: borders only */
+    light_t light[LIGHTS_MAX];
+    int32_t lights;
+    bool shadow;        /* cast shadows; otherwise slopes alone count */
+    borders_t *borders; /* NULL: not wanted */
 } area_tone_t;
 
 typedef struct area_toner area_toner_t;
 
 /* What the toner takes when there are no shadows; with them it takes what there is. */
 size_t area_toner_bytes(const solid_map_t *m);
-/* Sorts the scene from the light. mem (aligned to 8) is kept, sort_mem only lent. Returns 0; ERR_FULL; ERR_VALUE for a
- * light that cannot be used. */
+/* Sorts the scene from the lights. mem (aligned to 8) is kept, sort_mem only lent. Returns 0; ERR_FULL; ERR_VALUE or
+ * ERR_LIGHT for a light that cannot be used (area_light.h). */
 int area_toner_make(area_toner_t **toner, const area_tone_t *tone, const solid_map_t *m, void *mem, size_t bytes,
                     void *sort_mem, size_t sort_bytes);
-/* Hatches one visible polygon; line numbers count from first_line. Returns 0 or ERR_FULL. */
+/* Pairs of faces that cut through each other, as the lights see them (area_stats_t). */
+int64_t area_toner_intersections(const area_toner_t *toner);
+/* Hatches one visible polygon; line numbers count from first_line. Adds borders. Returns 0 or ERR_FULL. */
 int area_toner_polygon(area_toner_t *toner, int32_t face, const poly_t *p, int32_t first_line, intervals_t *to);
 
 #endif

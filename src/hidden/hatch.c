@@ -92,11 +92,12 @@ static void range_of(const hatch_t *h, bool second, const poly_t *p, int32_t *lo
     if (*hi > h->half) *hi = h->half;
 }
 
-static int add_family(const hatch_t *h, const poly_t *p, bool second, bool sparse, int32_t first, intervals_t *to) {
+/* Every line whose number is a multiple of `each`, a power of two. */
+static int add_family(const hatch_t *h, const poly_t *p, bool second, int32_t each, int32_t first, intervals_t *to) {
     int32_t lo, hi, t[CROSSINGS];
     range_of(h, second, p, &lo, &hi);
     for (int32_t k = lo; k <= hi; k++) {
-        if (sparse && (k & 1)) continue;
+        if (k & (each - 1)) continue;
         int32_t n = crossings(h, second, p, k, t), line = first + k + h->half + (second ? 2 * h->half + 1 : 0);
         if (n < 0) return n;
         for (int32_t i = 0; i + 1 < n; i += 2) {
@@ -109,6 +110,6 @@ static int add_family(const hatch_t *h, const poly_t *p, bool second, bool spars
 
 int hatch_polygon(const hatch_t *h, const poly_t *p, enum hatch_tone tone, int32_t first, intervals_t *to) {
     if (tone == HATCH_NONE || p->contours == 0) return 0;
-    int err = add_family(h, p, false, tone == HATCH_LIGHT, first, to);
-    return err || tone != HATCH_DARK ? err : add_family(h, p, true, false, first, to);
+    int err = add_family(h, p, false, tone == HATCH_FAINT ? 4 : tone == HATCH_LIGHT ? 2 : 1, first, to);
+    return err || tone < HATCH_DEEP ? err : add_family(h, p, true, tone == HATCH_DEEP ? 2 : 1, first, to);
 }

@@ -2,7 +2,9 @@
  *
  * A hatch line is implicit: number k of a family lies k pitches from the middle of the page, and a place on it is a
  * parameter, so nothing is stored but the visible parts (intervals.h), and polygons side by side with one tone are
- * hatched by the same lines, drawn through. Tones are made of them: none, every second line, every line, both families.
+ * hatched by the same lines, drawn through. Six tones are made of them, by brightness (what light a place gets, as a
+ * share of the most): none from .85 on, every fourth line from .65, every second from .45, every line from .25, then
+ * every second line of the other family too, and where there is no light every line of both.
  *
  * Numbers: places along (u) and across (w) a family count 2^-30 units of the polygons' lattice; |u|, |w| < 2^62. A
  * crossing with an edge is exact but for one rounding to 2^-30 of the line, 2^-6 lat on A4. */
@@ -14,7 +16,18 @@
 #include "poly/poly.h"
 #include "view/line_space.h"
 
-enum hatch_tone { HATCH_NONE, HATCH_LIGHT, HATCH_MIDDLE, HATCH_DARK };
+enum hatch_tone { HATCH_NONE, HATCH_FAINT, HATCH_LIGHT, HATCH_MIDDLE, HATCH_DEEP, HATCH_DARK };
+
+/* The tone of a brightness. */
+static inline enum hatch_tone hatch_tone_of(int64_t bright_q30) {
+    const int64_t percent = INK_ONE / 100;
+    return bright_q30 >= 85 * percent   ? HATCH_NONE
+           : bright_q30 >= 65 * percent ? HATCH_FAINT
+           : bright_q30 >= 45 * percent ? HATCH_LIGHT
+           : bright_q30 >= 25 * percent ? HATCH_MIDDLE
+           : bright_q30 > 0             ? HATCH_DEEP
+                                        : HATCH_DARK;
+}
 
 #define HATCH_MIN_LAT (LAT_PER_MM / 10) /* least pitch */
 

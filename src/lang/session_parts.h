@@ -58,6 +58,7 @@ int set_hidden3d(session_t *s, lexer_t *lx);
 int set_halo(session_t *s, lexer_t *lx);  /* set_halo.c */
 int set_hatch(session_t *s, lexer_t *lx); /* set_light.c */
 int set_light(session_t *s, lexer_t *lx);
+int set_no_light(session_t *s, lexer_t *lx);
 int set_shadow(session_t *s, lexer_t *lx);
 int set_pen(session_t *s, lexer_t *lx); /* set_pen.c */
 int set_crease(session_t *s, lexer_t *lx);

@@ -209,6 +209,9 @@ int set_unset_command(session_t *s, lexer_t *lx) {
         session_skip(lx);
         return 0;
     }
+#if CONFIG_AREA
+    if (id == SET_LIGHT) return set_no_light(s, lx);
+#endif
     int err = session_expect_end(s, lx);
     if (err) return err;
     settings_default(&fresh);
@@ -239,11 +242,8 @@ int set_unset_command(session_t *s, lexer_t *lx) {
     case SET_HATCH:
         set->hatch_um = 0;
         return 0;
-    case SET_LIGHT:
-        memcpy(set->light_milli, fresh.light_milli, sizeof fresh.light_milli);
-        return 0;
     case SET_SHADOW:
-        set->shadow = false;
+        set->shadow = set->shadow_outline = false;
         return 0;
 #endif
     case SET_HIDDEN3D:

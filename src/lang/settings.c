@@ -11,9 +11,10 @@ void settings_default(settings_t *s) {
     s->hidden = HIDDEN_PERIMETER;
     s->halo_um = 500;
 #if CONFIG_AREA
-    s->light_milli[0] = -1000;
-    s->light_milli[1] = -2000;
-    s->light_milli[2] = 3000;
+    s->light[0].on = true;
+    s->light[0].milli[0] = -1000;
+    s->light[0].milli[1] = -2000;
+    s->light[0].milli[2] = 3000;
     for (int k = 0; k < LINE_CLASSES; k++) s->pen[k] = 1;
 #endif
     s->view.rot_x = num_from_i64(60);

@@ -8,6 +8,7 @@
 #include "num/num.h"
 
 #define SETTINGS_TITLE_MAX 80
+#define LIGHTS_MAX 4
 
 typedef struct range {
     bool auto_lo, auto_hi; /* this end is autoscaled; the value is then not used */
@@ -35,10 +36,14 @@ typedef struct settings {
     bool horizon_infinite; /* set hidden3d horizon infinite: upper side only */
     int32_t halo_um;       /* set halo W: to each side of a nearer line; 500 */
 #if CONFIG_AREA
-    int32_t hatch_um;       /* set hatch A,P: pitch; 0: no hatching. For set hidden3d area, as the next three */
-    int32_t hatch_mdeg;     /* its angle */
-    int32_t light_milli[3]; /* set light X,Y,Z: direction to the light, thousandths; -1,-2,3 */
-    bool shadow;            /* set shadow on */
+    int32_t hatch_um;   /* set hatch A,P: pitch; 0: no hatching. For set hidden3d area, as the next three */
+    int32_t hatch_mdeg; /* its angle */
+    struct {
+        int32_t milli[3]; /* direction to the light, thousandths; for `point` its place */
+        bool on, point;
+    } light[LIGHTS_MAX]; /* set light N ...; the first alone, from -1,-2,3 */
+    bool shadow;         /* set shadow on */
+    bool shadow_outline; /* set shadow outline: their borders are lines */
     bool outline;        /* set hidden3d ... outline: of solids only silhouettes, and creases that `crease` asks for */
     int32_t crease_mdeg; /* set crease A: for solids that say nothing else (mesh.h); 0: all edges */
     uint8_t pen[LINE_CLASSES]; /* set pen ...: 1 .. PENS_MAX */

@@ -174,6 +174,23 @@ static void show_pens(text_t *t, const settings_t *set) {
 
 #endif
 
+#if CONFIG_AREA
+static void show_lights(text_t *t, const settings_t *set) {
+    bool several = !set->light[0].on;
+    for (int k = 1; k < LIGHTS_MAX; k++) several |= set->light[k].on;
+    if (several) text_add(t, "unset light; unset light 1\n");
+    for (int k = 0; k < LIGHTS_MAX; k++) {
+        if (!set->light[k].on) continue;
+        text_add(t, "set light ");
+        if (several) text_add_int(t, k + 1);
+        if (several) text_add(t, " ");
+        if (set->light[k].point) text_add(t, "from ");
+        for (int i = 0; i < 3; i++) show_value(t, i ? "," : "", set->light[k].milli[i], 3);
+        text_add(t, "\n");
+    }
+}
+#endif
+
 /* One option; false if there is nothing to tell. */
 static bool show_option(session_t *s, uint8_t id) {
     char buf[320];
@@ -225,13 +242,10 @@ static bool show_option(session_t *s, uint8_t id) {
         text_add(&t, "\n");
         break;
     case SET_LIGHT:
-        show_value(&t, "set light ", set->light_milli[0], 3);
-        show_value(&t, ",", set->light_milli[1], 3);
-        show_value(&t, ",", set->light_milli[2], 3);
-        text_add(&t, "\n");
+        show_lights(&t, set);
         break;
     case SET_SHADOW:
-        text_add(&t, set->shadow ? "set shadow\n" : "unset shadow\n");
+        text_add(&t, set->shadow_outline ? "set shadow outline\n" : set->shadow ? "set shadow\n" : "unset shadow\n");
         break;
 #endif
     case SET_VIEW:

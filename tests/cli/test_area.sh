@@ -41,7 +41,7 @@ slopes_make_tones() {
     ground
     lines=$(ink '')
     all=$(awk -v b="$lines" 'BEGIN { s = b / 40; print 64 * s * s }')
-    for light in 1,0,1:0.5 2,0,1:1 1,0,-1:2; do
+    for light in 1,0,1:0.25 4,0,3:0.5 2,0,1:1 5,0,1:1.5 1,0,-1:2; do
         got=$(ink "set hatch 10,1; set light ${light%:*}")
         close_to "$(awk -v a="$got" -v b="$lines" 'BEGIN { print a - b }')" \
             "$(awk -v a="$all" -v k="${light#*:}" 'BEGIN { print a * k }')" 10
@@ -83,9 +83,9 @@ holes_are_holes() {
     printf 'f 1 2 3 4 h 5 6 7 8 h 9 10 11\n' >>ground.obj
     lines=$(ink '')
     got=$(ink 'set hatch 10,0.5; set light 1,0,1')
-    # borders of 32, 12 and 2 + 2 sqrt 5; an area of 64 - 8 - 2 with every second of two lines to the millimetre
+    # borders of 32, 12 and 2 + 2 sqrt 5; an area of 64 - 8 - 2 with every fourth of two lines to the millimetre
     close_to "$(awk -v a="$got" -v b="$lines" 'BEGIN { print a - b }')" \
-        "$(awk -v b="$lines" 'BEGIN { s = b / (46 + 2 * sqrt(5)); print 54 * s * s }')" 10
+        "$(awk -v b="$lines" 'BEGIN { s = b / (46 + 2 * sqrt(5)); print 54 * s * s / 2 }')" 10
     close_to "$(ink 'set hidden3d convex')" "$lines" 0.01
     close_to "$(ink 'set hidden3d none')" "$lines" 0.01
     printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3 h 3 2\n' >bad.obj

@@ -60,17 +60,72 @@ creases_by_angle() {
     done
 }
 
+# A box of 2 x 2 x 2 on a square of 12 x 12, from straight above: a unit is s mm.
+ground() {
+    printf 'v -6 -6 0\nv 6 -6 0\nv 6 6 0\nv -6 6 0\nf 1 2 3 4\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 2\nv 1 -1 2\nv 1 1 2\nv -1 1 2\n'
+    printf 'f 9 10 11 12\nf 5 6 10 9\nf 6 7 11 10\nf 7 8 12 11\nf 8 5 9 12\nf 8 7 6 5\n'
+} >cube.obj
+
+above='set view 0,0; set hidden3d area; set shadow outline; set pen shadow 2 hatch 3'
+
+# Shadows to the four sides, of 2 x 1 each, have borders of 2 + 1 + 1 each, and none where they meet the box.
+lights_cast_shadows_of_their_own() {
+    ground
+    s=$(awk -v l="$(ink 1 "$above")" 'BEGIN { print l / 56 }')
+    side=$(awk -v s="$s" 'BEGIN { print 4 * s }')
+    lights='set light 1,0,2' n=1
+    ratio "$(ink 2 "$above; $lights")" "$side" 1 1
+    for more in 2:-1,0,2 3:0,1,2 4:0,-1,2; do
+        lights="$lights; set light ${more%:*} ${more#*:}" n=$((n + 1))
+        ratio "$(ink 2 "$above; $lights")" "$side" $n 1
+    done
+    ratio "$(ink 2 "$above; $lights; unset light 2")" "$side" 3 1
+    ratio "$(ink 2 "$above; $lights; unset light; set light 1,0,2")" "$side" 1 1
+    echo "# test_tone: $n lights, borders of shadows of $(ink 2 "$above; $lights") mm, $(awk -v s="$side" -v n=$n 'BEGIN { printf "%.3f", s * n }') mm by arithmetic"
+}
+
+# Two lights from one side, one lower: the shorter shadow lies in the longer one, and is darker.
+shadows_overlap() {
+    ground
+    two="$above; set hatch 20,1; set light 1,0,2; set light 2 1,0,1"
+    s=$(awk -v l="$(ink 1 "$above")" 'BEGIN { print l / 56 }')
+    # borders: 2 + 2 x 1 of the short one, 2 + 2 x 2 of the long one, of which the short one's sides are drawn once
+    ratio "$(ink 2 "$two")" "$(awk -v s="$s" 'BEGIN { print 8 * s }')" 1 1
+    # of at most 1.97: 2 x 1 without any light are hatched crosswise, 2 x 1 with .894 every second line, all else with 1.60 every fourth
+    got=$(ink 3 "$two")
+    awk -v a="$got" -v s="$s" 'BEGIN { b = (4 + 1 + 140 / 4) * s * s; exit !((a - b) ^ 2 < (.02 * b) ^ 2) }' || { echo "$got, s $s"; return 1; }
+}
+
+# A lamp at height 4 right above the box's side: its shadow is as in perspective.
+lamps_cast_shadows_too() {
+    ground
+    s=$(awk -v l="$(ink 1 "$above")" 'BEGIN { print l / 56 }')
+    # the corners p of the roof fall on p + (p - (20,0,22)) / 10: (-3.1, 1.1), (-0.9, 1.1) and so on; from there to (1, 1)
+    ratio "$(ink 2 "$above; set light from 20,0,22")" \
+        "$(awk -v s="$s" 'BEGIN { print s * (2.2 + 2 * (2.2 + sqrt(1.9 ^ 2 + .1 ^ 2))) }')" 1 1
+    expect_status 2 ridgeline_lamp 'set light from 0,0,1'
+    expect_text ink.err 'outside of the scene'
+}
+
+ridgeline_lamp() {
+    printf '%s\n%s\nsplot "cube.obj"\n' "$above" "$1" >lamp.gp
+    ridgeline plot lamp.gp -o lamp.svg 2>ink.err
+}
+
 settings_are_answered() {
     printf 'show pen\nset pen 3\nshow pen\nset pen hatch 2, shadow 8\nshow pen\nset crease 30.5\nshow crease\nset hidden3d area outline\nshow hidden3d\n' >show.gp
     printf 'unset pen\nunset crease\nset hidden3d area silhouette\nshow pen\nshow crease\nunset hidden3d\nset hidden3d area\nshow hidden3d\nhelp pen\nhelp crease\n' >>show.gp
     ridgeline plot show.gp >out 2>&1 || true
     expect_text out 'set pen 1' 'set pen 3' 'set pen crease 3 silhouette 3 hidden 3 hatch 2 shadow 8 detail 3' 'set crease 30.5' \
         'set hidden3d area outline' 'set crease 0' 'set pen N'
-    for bad in 'set pen' 'set pen 0' 'set pen 9' 'set pen hatch' 'set pen ink 2' 'set pen hatch 2 3' 'set crease' 'set crease 90' 'set hidden3d area outlines'; do
+    printf 'set light 2 -1,-2,3\nset light 3 from 1,2,3.5\nshow light\nunset light 1\nshow light\nunset light\nshow light\nset light 2-1,2,3\nshow light\nset shadow outline\nshow shadow\n' >show.gp
+    ridgeline plot show.gp >out 2>&1 || true
+    expect_text out 'set light 2 -1,-2,3' 'set light 3 from 1,2,3.5' 'set light -1,-2,3' 'set light 1,2,3' 'set shadow outline'
+    for bad in 'set light 5 1,2,3' 'set light 0 1,2,3' 'set light 2' 'set light from 1,2' 'unset light x' 'unset light 5' 'set shadow outlines' 'set pen' 'set pen 0' 'set pen 9' 'set pen hatch' 'set pen ink 2' 'set pen hatch 2 3' 'set crease' 'set crease 90' 'set hidden3d area outlines'; do
         printf '%s\n' "$bad" >bad.gp
         ! ridgeline plot bad.gp >out 2>&1 || { echo "taken: $bad"; return 1; }
         expect_text out 'bad.gp", line 1, column'
     done
 }
 
-run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle settings_are_answered
+run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own shadows_overlap lamps_cast_shadows_too settings_are_answered
