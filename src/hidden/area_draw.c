@@ -50,11 +50,9 @@ static int take_polygon(void *ctx, int32_t face, const poly_t *p) {
     }
     for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++])
         for (int32_t k = first; k < p->end[c]; k++) {
-            poly_point_t end[2];
-            int64_t z[2];
-            int64_t t[2];
-            if (p->v[k].tag < 0 || !area_edge(&ink->lattice, p->v[k].tag, end, z, t)) continue;
-            int32_t a = parameter(end, p->v[k].at), b = parameter(end, p->v[k + 1 < p->end[c] ? k + 1 : first].at);
+            area_edge_t e;
+            if (p->v[k].tag < 0 || !area_edge(&ink->lattice, p->v[k].tag, &e)) continue;
+            int32_t a = parameter(e.end, p->v[k].at), b = parameter(e.end, p->v[k + 1 < p->end[c] ? k + 1 : first].at);
             int err = intervals_add(&ink->parts, p->v[k].tag, a < b ? a : b, a < b ? b : a);
             if (err) return err;
         }
@@ -68,13 +66,12 @@ static int take_wire(void *ctx, int32_t edge, int32_t from_q30, int32_t to_q30) 
 
 static int32_t least(void *ctx, int32_t line) {
     edge_ink_t *ink = ctx;
-    poly_point_t end[2];
-    int64_t z[2];
-    int64_t t[2], length, some = (int64_t)LEAST_LAT << ink->lattice.bits >> AREA_LATTICE_BITS;
+    area_edge_t e;
+    int64_t length, some = (int64_t)LEAST_LAT << ink->lattice.bits >> AREA_LATTICE_BITS;
     if (line >= ink->lattice.m->solid->ne)
         return (int32_t)(HATCH_LEAST_LAT * INK_ONE / (2 * (int64_t)ink->tone->hatch->reach_lat));
-    if (!area_edge(&ink->lattice, line, end, z, t)) return 0;
-    along(end, (poly_point_t){0, 0}, &length);
+    if (!area_edge(&ink->lattice, line, &e)) return 0;
+    along(e.end, (poly_point_t){0, 0}, &length);
     if (length < 0) length = -length;
     return length <= some ? (int32_t)INK_ONE - 1 : (int32_t)(some * INK_ONE / length);
 }
@@ -87,10 +84,12 @@ static int emit(void *ctx, const interval_t *part) {
         ink->stats->pieces++;
         return ink->sink->piece(ink->sink->ctx, &stroke);
     }
+    area_edge_t e;
+    if (!area_edge(&ink->lattice, part->line, &e)) return 0;
     const ink_piece_t piece = {.family = INK_SEGMENT,
                                .line = part->line,
-                               .from_q30 = area_space(&ink->lattice, part->line, part->from_q30),
-                               .to_q30 = area_space(&ink->lattice, part->line, part->to_q30)};
+                               .from_q30 = area_space(&ink->lattice, &e, part->from_q30),
+                               .to_q30 = area_space(&ink->lattice, &e, part->to_q30)};
     if (piece.from_q30 >= piece.to_q30) return 0;
     ink->stats->pieces++;
     return ink->sink->piece(ink->sink->ctx, &piece);

@@ -2,28 +2,7 @@
 #ifndef AREA_FACE_H
 #define AREA_FACE_H
 
-#include "poly/poly.h"
-#include "view/solid_map.h"
-
-/* Vertices are kept finer than a lat, by as many bits as the scene's size leaves: cuts at small angles need them. */
-typedef struct area_lattice {
-    const solid_map_t *m;
-    int bits;       /* 1 lat is 2^bits units */
-    int64_t near_e; /* perspective: the least depth of all vertices in front of the eye; z is -2^49 there */
-} area_lattice_t;
-
-#define AREA_LATTICE_BITS 5
-#define AREA_Z_BITS 49
-
-area_lattice_t area_lattice(const solid_map_t *m);
-/* A vertex that is not behind the eye, and its depth: as solid_place_t.z, but finer. */
-poly_point_t area_vertex(const area_lattice_t *l, int32_t v, int64_t *z);
-/* The ends of what of an edge is in front of the eye, with their depths, and their parameters in space. False if there
- * is nothing. */
-bool area_edge(const area_lattice_t *l, int32_t edge, poly_point_t end[2], int64_t z[2], int64_t t_q30[2]);
-
-/* From a fraction of the way between such ends to the parameter in space (q30). */
-int64_t area_space(const area_lattice_t *l, int32_t edge, int32_t page_q30);
+#include "hidden/area_plane.h"
 
 typedef struct area_box {
     int32_t x0, y0, x1, y1;
@@ -36,19 +15,14 @@ area_box_t area_box_of(const poly_vertex_t *v, int32_t n);
 /* No wider than a few units: the seam of two faces as rounding leaves it, or a face seen edge-on. */
 bool area_is_thin(const poly_t *p, const area_box_t *box);
 
-/* Depth over the page, as the plane through three corners that span the face. */
-typedef struct area_plane {
-    poly_point_t a, b, c;
-    int64_t za, zb, zc;
-    int64_t slack; /* so much a depth may be off, since the corners are rounded */
-} area_plane_t;
-
 typedef struct area_face {
     int32_t face;     /* of the scene */
     int32_t first, n; /* vertices */
     area_box_t box;
     int64_t z_near;
     area_plane_t plane;
+    int64_t slope, slack; /* area_plane_slope(); area_slack() at z_near */
+    bool deep;            /* its slack differs much from place to place */
     bool on_stack;
 } area_face_t;
 
@@ -62,17 +36,25 @@ typedef struct area_faces {
 
 /* Is the eye on the side of a face from which it runs counter-clockwise, the outer one of a closed object? */
 bool area_looks_at_eye(const solid_map_t *m, int32_t face);
-/* Depth at a place, smaller is nearer. */
-int64_t area_depth(const area_plane_t *p, poly_point_t at);
-/* What is left of a face that is cut off behind the eye may have so many corners. */
-#define AREA_CORNERS(map, n) ((map)->any_behind ? 2 * (n) : (n))
+/* What is left of a face that is clipped may have so many corners. */
+#define AREA_CORNERS(clips, n) ((clips) ? 2 * (n) + 8 : (n))
+/* Scratch for a face of n corners, and while it is clipped for twice as many as are left. */
+#define AREA_SCRATCH(clips, n) ((size_t)(AREA_CORNERS(clips, n)) * ((clips) ? 2 : 1) * sizeof(area_corner_t))
 
+/* A corner on its way to the page. */
+typedef struct area_corner {
+    area_place_t at;
+    area_fine_t fine;
+    int32_t tag;
+} area_corner_t;
+
+/* How much the depth of a face may be off where it is z: SOLID_FLAT units of the scene across its plane. */
+int64_t area_slack(const area_lattice_t *l, const area_face_t *f, int64_t z);
 /* How many faces may take part: not those of closed objects that are seen from behind. */
 int32_t area_faces_most(const solid_map_t *m);
-/* Those of them that are not seen edge-on. faces->face has room for area_faces_most() and one more, ->vertex for
- * AREA_CORNERS of all. corner_edge and depths: lent, one for each corner
- * and AREA_CORNERS of the largest face. state: of each face
- * of the scene, enum area_state (area_wires.h). */
-void area_faces_make(area_faces_t *faces, const solid_map_t *m, int32_t *corner_edge, uint8_t *state, int64_t *depths);
+/* Those of them that are not seen edge-on. faces->lattice is set, ->face has room for area_faces_most() and one more,
+ * ->vertex for AREA_CORNERS of each. corner_edge: lent, one for each corner; scratch: AREA_SCRATCH of the largest face.
+ * state: of each face of the scene, enum area_state (area_wires.h). Returns 0 or ERR_FULL. */
+int area_faces_make(area_faces_t *faces, int32_t *corner_edge, uint8_t *state, area_corner_t *scratch, int32_t most);
 
 #endif

@@ -107,19 +107,18 @@ typedef struct mover {
 static bool find_corners(const lit_t *s, int32_t face, mover_t *mv) {
     const solid_face_t *f = &s->m->solid->face[face];
     const int32_t *corner = s->m->solid->corner + f->corner;
-    int64_t z;
     int32_t at[3] = {0, 0, 0};
     uint64_t far = 0, wide = 0;
-    for (int k = 0; k < 3; k++) mv->at[k] = area_vertex(&s->lattice, corner[0], &z);
+    for (int k = 0; k < 3; k++) mv->at[k] = area_vertex(&s->lattice, corner[0]);
     for (int32_t k = 1; k < f->n; k++) {
-        poly_point_t p = area_vertex(&s->lattice, corner[k], &z);
+        poly_point_t p = area_vertex(&s->lattice, corner[k]);
         int64_t dx = p.x - mv->at[0].x, dy = p.y - mv->at[0].y;
         uint64_t d = (uint64_t)(dx * dx + dy * dy);
         if (d > far) far = d, at[1] = k, mv->at[1] = p;
     }
     if (far == 0) return false;
     for (int32_t k = 1; k < f->n; k++) {
-        poly_point_t p = area_vertex(&s->lattice, corner[k], &z);
+        poly_point_t p = area_vertex(&s->lattice, corner[k]);
         uint64_t d = ints_abs64(poly_orient(mv->at[0], mv->at[1], p));
         if (d > wide) wide = d, at[2] = k, mv->at[2] = p;
     }
@@ -149,7 +148,8 @@ static poly_point_t move(const lit_t *s, const mover_t *mv, poly_point_t p) {
         const int64_t fine = INK_ONE * 256;
         int64_t share[3] = {0, ints_muldiv_round(to_b, fine, whole), ints_muldiv_round(to_c, fine, whole)};
         share[0] = fine - share[1] - share[2];
-        for (int k = 0; k < 3; k++) share[k] = ints_muldiv_round(share[k], s->lattice.near_e, mv->from[k].e);
+        for (int k = 0; k < 3; k++)
+            share[k] = ints_muldiv_round(share[k], s->lattice.near >> SOLID_FINE_E, mv->from[k].e);
         whole = share[0] + share[1] + share[2];
         to_b = share[1];
         to_c = share[2];

@@ -1,6 +1,7 @@
 /* area_sort.c - see area.h: the sort itself, window by window. */
 #include "hidden/area.h"
 #include "hidden/area_pool.h"
+#include "hidden/area_weld.h"
 #include "hidden/area_wires.h"
 
 #include "error.h"
@@ -30,18 +31,31 @@ typedef struct area {
 
 enum { BEHIND, TOGETHER, IN_FRONT };
 
+/* Faces that reach through each other by less than this many units of the page do not: rounding moves a border so far
+ * beyond the edge where two faces meet. */
+#define THROUGH 16
+
 /* Where the polygon p of face `of` is to face `than`. Where they differ most decides. In one plane they hide nothing of
- * each other, and neither do two that overlap by a hair at a seam. */
+ * each other. */
 static int compare(area_t *a, const poly_t *p, int32_t of, int32_t than) {
-    const area_plane_t *s = &a->faces.face[of].plane, *c = &a->faces.face[than].plane;
-    int64_t front = 0, behind = 0, slack = s->slack + c->slack;
+    const area_face_t *s = &a->faces.face[of], *c = &a->faces.face[than];
+    const area_plane_t apart = area_plane_minus(&c->plane, &s->plane);
+    int64_t front = 0, behind = 0, nearest = 0;
     for (int32_t k = 0; k < poly_vertices(p); k++) {
-        int64_t d = area_depth(c, p->v[k].at) - area_depth(s, p->v[k].at);
+        int64_t d = area_plane_at(&apart, p->v[k].at);
         if (d > front) front = d;
         if (-d > behind) behind = -d;
+        if (!s->deep && !c->deep) continue;
+        int64_t z = area_plane_at(&s->plane, p->v[k].at);
+        nearest = z < nearest ? z : nearest;
     }
-    if (front > 4 * slack && behind > 4 * slack) a->stats->intersections++;
+    int64_t slack = area_slack(&a->faces.lattice, s, nearest) + area_slack(&a->faces.lattice, c, nearest);
     if (front <= slack && behind <= slack) return TOGETHER;
+    if (front > slack && behind > slack) {
+        int64_t through = area_plane_slope(&apart);
+        through = through > INT64_MAX / (2 * THROUGH) ? INT64_MAX / 2 : through * THROUGH;
+        if (front > slack + through && behind > slack + through) a->stats->intersections++;
+    }
     return front > behind ? IN_FRONT : BEHIND;
 }
 
@@ -52,23 +66,29 @@ static int clip_piece(area_t *a, int32_t piece, int32_t by, area_list_t *in, are
     area_pool_t *pool = &a->pool;
     int32_t face = pool->piece[piece].face;
     const area_face_t *f = &a->faces.face[by];
-    const int32_t end = f->n;
-    const clip_job_t job = {
-        area_pool_poly(pool, piece), {a->faces.vertex + f->first, &end, 1}, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_OUTSIDE}};
-    int err = clip_run(&a->clip, &job, a->clip_mem, a->clip_bytes);
+    const poly_t whole = {a->faces.vertex + f->first, &f->n, 1}, subject = area_pool_poly(pool, piece);
+    area_weld_t w;
+    size_t used;
+    int err = area_weld(&w, &subject, &pool->piece[piece].box, &whole, &f->box, a->clip_mem, a->clip_bytes, &used);
+    if (err) return err;
+    const clip_job_t job = {w.subject, w.clip, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_OUTSIDE}};
+    err = clip_run(&a->clip, &job, (uint8_t *)a->clip_mem + used, a->clip_bytes - used);
     if (err) return err;
     a->stats->clips++;
-    if (clip_count(&a->clip, 0) == 0) { /* wholly outside: it stays as it was, unless it is so thin that nothing did */
-        if (clip_count(&a->clip, 1) == 0)
-            area_pool_drop(pool, piece);
-        else
-            area_list_add(pool, out, piece);
+    /* Where rounding made something collapse, what is left is the result; otherwise the piece stays as it was. */
+    bool exact = a->clip.stats.sweeps == 1 && !w.changed;
+    if (exact && clip_count(&a->clip, 0) == 0) { /* wholly outside */
+        area_list_add(pool, out, piece);
         return 0;
     }
     int32_t outside = area_pool_clipped(pool, face, &a->clip, 1, &err);
     int32_t inside = err ? AREA_NONE : area_pool_clipped(pool, face, &a->clip, 0, &err);
     if (err) return err;
     if (outside != AREA_NONE) area_list_add(pool, out, outside);
+    if (inside == AREA_NONE) {
+        area_pool_drop(pool, piece);
+        return 0;
+    }
     const poly_t p = area_pool_poly(pool, inside);
     if (compare(a, &p, face, by) == BEHIND) {
         a->stats->removed++;
@@ -76,7 +96,7 @@ static int clip_piece(area_t *a, int32_t piece, int32_t by, area_list_t *in, are
         area_pool_drop(pool, piece);
         return 0;
     }
-    if (outside == AREA_NONE) { /* wholly inside: the same, with its own vertices */
+    if (exact && outside == AREA_NONE) { /* wholly inside: the same, with its own vertices */
         area_pool_drop(pool, inside);
         inside = piece;
     } else {
@@ -274,11 +294,15 @@ static int lay_out(area_t *a, const solid_map_t *m, void *mem, size_t bytes) {
     a->state = take(&b, (size_t)s->nf);
     if (!a->faces.face || !a->stack || !a->state) return ERR_FULL;
     bump_t before = b;
-    a->faces.vertex = take(&b, (size_t)AREA_CORNERS(m, s->nc) * sizeof(poly_vertex_t));
+    a->faces.lattice = area_lattice(m);
+    bool clips = a->faces.lattice.clips;
+    int32_t corners = most_corners(s);
+    a->faces.vertex = take(&b, ((size_t)s->nc + (clips ? (size_t)s->nc + 8 * most : 0)) * sizeof(poly_vertex_t));
     int32_t *corner_edge = take(&b, (size_t)s->nc * sizeof(int32_t));
-    int64_t *depths = take(&b, (size_t)AREA_CORNERS(m, most_corners(s)) * sizeof(int64_t));
-    if (!a->faces.vertex || !corner_edge || !depths) return ERR_FULL;
-    area_faces_make(&a->faces, m, corner_edge, a->state, depths);
+    area_corner_t *scratch = take(&b, AREA_SCRATCH(clips, corners));
+    if (!a->faces.vertex || !corner_edge || !scratch) return ERR_FULL;
+    int err = area_faces_make(&a->faces, corner_edge, a->state, scratch, corners);
+    if (err) return err;
     a->stats->polygons = a->faces.n;
     b = before;
     take(&b, (size_t)a->faces.vertices * sizeof(poly_vertex_t));

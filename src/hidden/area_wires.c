@@ -7,32 +7,37 @@
 #include "num/ints.h"
 
 typedef struct wire {
-    poly_point_t end[2];
-    int64_t z[2];
+    area_edge_t line;
     area_box_t box;
 } wire_t;
 
-static poly_point_t point_at(const wire_t *w, int32_t t_q30) {
-    int64_t dx = (int64_t)w->end[1].x - w->end[0].x, dy = (int64_t)w->end[1].y - w->end[0].y;
-    return (poly_point_t){w->end[0].x + (int32_t)(dx * t_q30 >> 30), w->end[0].y + (int32_t)(dy * t_q30 >> 30)};
+/* How much farther away than a face a line is at its ends, and in between. */
+typedef struct apart {
+    wide_t at[2];
+} apart_t;
+
+static apart_t apart(const wire_t *w, const area_face_t *f) {
+    apart_t a;
+    for (int k = 0; k < 2; k++)
+        a.at[k] = wide_sub(wide_from_s64(w->line.fine[k].z), area_plane_at_fine(&f->plane, &w->line.fine[k]));
+    return a;
 }
 
-/* How much farther away than the face the line is there. */
-static int64_t behind(const wire_t *w, const area_face_t *f, int32_t t_q30) {
-    int64_t z = w->z[0] + ints_muldiv_round(w->z[1] - w->z[0], t_q30, INK_ONE);
-    return z - area_depth(&f->plane, point_at(w, t_q30));
+static int64_t behind(const apart_t *a, int32_t t_q30) {
+    wide_t more = wide_times_s32(wide_sub(a->at[1], a->at[0]), t_q30);
+    return area_limited(wide_add(a->at[0], wide_sar(more, 30)));
 }
 
 /* Where the line crosses the border, in order; those before and after it as its ends. Returns how many, or an error. */
 static int32_t crossings(const wire_t *w, const area_face_t *f, const poly_vertex_t *v, int32_t *t, int32_t most) {
     int32_t n = 0;
     poly_point_t a = v[f->n - 1].at;
-    int64_t side_a = poly_orient(w->end[0], w->end[1], a);
+    int64_t side_a = poly_orient(w->line.end[0], w->line.end[1], a);
     for (int32_t k = 0; k < f->n; k++) {
         poly_point_t b = v[k].at;
-        int64_t side_b = poly_orient(w->end[0], w->end[1], b);
+        int64_t side_b = poly_orient(w->line.end[0], w->line.end[1], b);
         if ((side_a > 0) != (side_b > 0)) {
-            int64_t p = poly_orient(a, b, w->end[0]) / 2, q = poly_orient(a, b, w->end[1]) / 2;
+            int64_t p = poly_orient(a, b, w->line.end[0]) / 2, q = poly_orient(a, b, w->line.end[1]) / 2;
             int64_t at = p == q ? 0 : ints_muldiv_round(INK_ONE, p, p - q);
             if (n == most) return ERR_FULL;
             at = at < 0 ? 0 : at > INK_ONE ? INK_ONE : at;
@@ -47,8 +52,11 @@ static int32_t crossings(const wire_t *w, const area_face_t *f, const poly_verte
 }
 
 /* Adds what the face hides between two crossings. */
-static int hide(const wire_t *w, const area_face_t *f, int32_t from, int32_t to, intervals_t *hidden) {
-    int64_t slack = f->plane.slack + 4, at_from = behind(w, f, from), at_to = behind(w, f, to);
+static int hide(const area_lattice_t *l, const wire_t *w, const area_face_t *f, int32_t from, int32_t to,
+                intervals_t *hidden) {
+    const apart_t by = apart(w, f);
+    int64_t nearest = w->line.fine[0].z < w->line.fine[1].z ? w->line.fine[0].z : w->line.fine[1].z;
+    int64_t slack = area_slack(l, f, nearest), at_from = behind(&by, from), at_to = behind(&by, to);
     if (from >= to || (at_from <= slack && at_to <= slack)) return 0;
     if ((at_from > slack && at_to < -slack) || (at_from < -slack && at_to > slack)) { /* it goes through */
         int32_t middle = from + (int32_t)ints_muldiv_round(to - from, at_from, at_from - at_to);
@@ -77,9 +85,8 @@ static int show_up_to(void *ctx, const interval_t *hidden) {
 static int draw(const area_faces_t *faces, int32_t edge, intervals_t *hidden, int32_t *t, int32_t most,
                 const area_sink_t *sink) {
     wire_t w;
-    int64_t space[2];
-    if (!area_edge(&faces->lattice, edge, w.end, w.z, space)) return 0;
-    const poly_vertex_t ends[2] = {{w.end[0], 0}, {w.end[1], 0}};
+    if (!area_edge(&faces->lattice, edge, &w.line)) return 0;
+    const poly_vertex_t ends[2] = {{w.line.end[0], 0}, {w.line.end[1], 0}};
     w.box = area_box_of(ends, 2);
     w.box.x1++, w.box.y1++; /* a box without a width meets others all the same */
     hidden->n = 0;
@@ -89,7 +96,7 @@ static int draw(const area_faces_t *faces, int32_t edge, intervals_t *hidden, in
         int32_t n = crossings(&w, f, faces->vertex + f->first, t, most);
         if (n < 0) return n;
         for (int32_t i = 0; i + 1 < n; i += 2) {
-            int err = hide(&w, f, t[i], t[i + 1], hidden);
+            int err = hide(&faces->lattice, &w, f, t[i], t[i + 1], hidden);
             if (err) return err;
         }
     }

@@ -86,12 +86,19 @@ static void setup_depth(solid_map_t *m) {
 
 static int64_t row_times(const solid_map_t *m, int r, const solid_vertex_t *v) {
     const int64_t *a = m->row[r];
-    wide_t sum = wide_mul_s64(a[0], v->at[0]);
-    sum = wide_add(sum, wide_mul_s64(a[1], v->at[1]));
-    sum = wide_add(sum, wide_mul_s64(a[2], v->at[2]));
+    wide_t sum = wide_dot3(a, v->at);
     int32_t bits = m->row_bits[r];
     if (bits > 0) sum = wide_sar(wide_add(sum, wide_shl((wide_t){0, 1}, bits - 1)), bits);
     return (int64_t)(sum.lo + (uint64_t)a[3]);
+}
+
+int64_t solid_map_fine(const solid_map_t *m, int32_t v) {
+    const solid_vertex_t *p = &m->solid->vertex[v];
+    wide_t sum = wide_dot3(m->lines.perspective ? m->row[2] : m->z_row, p->at);
+    int32_t drop = m->lines.perspective ? m->row_bits[2] - SOLID_FINE_E : m->z_shift - (SOLID_FINE_Z - SOLID_Z_BITS);
+    sum = drop > 0 ? wide_sar(wide_add(sum, wide_shl((wide_t){0, 1}, drop - 1)), drop) : wide_shl(sum, -drop);
+    uint64_t rest = m->lines.perspective ? (uint64_t)m->row[2][3] << SOLID_FINE_E : 0;
+    return (int64_t)(sum.lo + rest);
 }
 
 page_h_t solid_map_vertex(const solid_map_t *m, int32_t v) {
@@ -126,9 +133,7 @@ static solid_place_t place_vertex(const solid_map_t *m, int32_t v) {
     solid_place_t p = place_of(m, &h);
     if (m->lines.perspective) return p;
     const solid_vertex_t *at = &m->solid->vertex[v];
-    wide_t sum = wide_mul_s64(m->z_row[0], at->at[0]);
-    sum = wide_add(sum, wide_mul_s64(m->z_row[1], at->at[1]));
-    sum = wide_add(sum, wide_mul_s64(m->z_row[2], at->at[2]));
+    wide_t sum = wide_dot3(m->z_row, at->at);
     p.z = (int32_t)wide_sar(sum, m->z_shift).lo;
     return p;
 }

@@ -54,6 +54,11 @@ typedef struct solid_map {
 int solid_map_setup(solid_map_t *m, const solid_t *solid, const camera_t *cam, void *place);
 /* A vertex in homogeneous page coordinates. */
 page_h_t solid_map_vertex(const solid_map_t *m, int32_t v);
+/* Depth as fine as the lattice has it. Perspective: E times 2^SOLID_FINE_E. Parallel: the distance along the lines of
+ * sight, below 2^SOLID_FINE_Z in amount; smaller is nearer. */
+#define SOLID_FINE_E 24
+#define SOLID_FINE_Z 60
+int64_t solid_map_fine(const solid_map_t *m, int32_t v);
 static inline bool solid_map_is_behind(const solid_map_t *m, int32_t v) {
     return m->place[v].z == INT32_MIN;
 }

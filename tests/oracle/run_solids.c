@@ -39,6 +39,50 @@ static int take(void *ctx, const ink_piece_t *p) {
     return 0;
 }
 
+/* Where the edge `of` runs along the edge `on`: the parameters on `on` of its ends. */
+static bool runs_along(const solid_ref_t *r, int of, int on, double t[2]) {
+    const exact_point_t *o = &r->vertex[r->edge[on][0]], *e = &r->vertex[r->edge[on][1]];
+    const double d[3] = {e->x - o->x, e->y - o->y, e->z - o->z}, dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    for (int k = 0; k < 2; k++) {
+        const exact_point_t *q = &r->vertex[r->edge[of][k]];
+        const double p[3] = {q->x - o->x, q->y - o->y, q->z - o->z};
+        double off = 0;
+        t[k] = (p[0] * d[0] + p[1] * d[1] + p[2] * d[2]) / dd;
+        for (int i = 0; i < 3; i++) off += fabs(p[i] - t[k] * d[i]);
+        if (off > 1e-7 * r->size) return false;
+    }
+    return fmin(t[0], t[1]) < 1 && fmax(t[0], t[1]) > 0;
+}
+
+/* Where edges of bodies that touch lie on top of one another, ink on one of them is ink on the others. */
+static void share(ink_t *ink) {
+    const solid_ref_t *r = ink->ref;
+    size_t drawn = ink->n;
+    spans_t have = {0}, here = {0}, more = {0};
+    for (int on = 0; on < r->ne; on++) {
+        spans_clear(&have);
+        spans_clear(&here);
+        for (size_t i = 0; i < drawn; i++) {
+            const judge_piece_t p = ink->piece[i];
+            double t[2];
+            if (p.line == on) spans_add(&have, p.from, p.to);
+            if (p.line == on || !runs_along(r, p.line, on, t)) continue;
+            double a = t[0] + p.from * (t[1] - t[0]), b = t[0] + p.to * (t[1] - t[0]);
+            spans_add(&here, fmax(fmin(a, b), 0), fmin(fmax(a, b), 1));
+        }
+        spans_tidy(&have);
+        spans_tidy(&here);
+        spans_subtract(&here, &have, &more);
+        for (size_t i = 0; i < more.n; i++) {
+            ink->piece = realloc(ink->piece, (ink->n + 1) * sizeof *ink->piece);
+            ink->piece[ink->n++] = (judge_piece_t){REF_ROW, on, (double)more.s[i].a, (double)more.s[i].b};
+        }
+    }
+    spans_free(&have);
+    spans_free(&here);
+    spans_free(&more);
+}
+
 void solid_scene_mesh(const solid_ref_t *r, mesh_t *m) {
     packed_t(*vertex)[3] = malloc((size_t)r->nv * sizeof *vertex);
     int32_t words = r->nc + r->nf + 3 * r->nl, *top = (int32_t *)malloc((size_t)words * sizeof *top) + words, *w = top;
@@ -118,6 +162,7 @@ int solid_stage_judge(solid_stage_t *t, const solid_scene_t *s, int every, judge
     *good = true;
     if (!err && !solid_ref_eye_touches(&ref)) {
         judge_subject_t what = judge_solid(&ref);
+        if (!every) share(&ink);
         what.every = every;
         *good = judge_pieces(&what, &view, ink.piece, ink.n, out) == 0 && ink.lost == 0 && cases_good(out);
     }

@@ -1,7 +1,5 @@
-/* Seeded random scenes of solids, drawn by the area sort and judged against rays. Scenes
- * whose faces cut through each other are none for it: it says so, and they are left out here, as are those with
- * something behind the eye. A few in a thousand come out wrong: cuts through each other that were not noticed, and
- * edges on top of one another of which the judge misses one. RIDGELINE_CASES=100 tries a hundred times as many;
+/* Seeded random scenes of solids, drawn by the area sort and judged against rays. Scenes whose faces cut through each
+ * other are none for it: it says so, and they are left out here. RIDGELINE_CASES=100 tries a hundred times as many;
  * RIDGELINE_SEED=n tries one. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -16,7 +14,7 @@
 
 static int run(const char *name, uint64_t first, uint64_t count, int objects) {
     uint64_t only, from = cases_first(first, count), to = from + count;
-    int failed = 0, left_out = 0;
+    int failed = 0, left_out = 0, behind = 0;
     cases_t c = {.name = name};
     if (cases_only_seed(&only)) {
         if (only < first || only >= first + 1000000000) return 0;
@@ -29,12 +27,13 @@ static int run(const char *name, uint64_t first, uint64_t count, int objects) {
         area_stats_t area = {0};
         solid_scene_random(&s, seed, objects);
         bool good = solid_scene_judge_area(&s, &r, &area);
-        if (area.intersections || area.behind) {
+        if (area.intersections) {
             left_out++;
             solid_scene_free(&s);
             continue;
         }
         c.run++;
+        behind += area.behind;
         c.facets += s.ref.nf;
         if (!good) {
             failed++;
@@ -48,9 +47,8 @@ static int run(const char *name, uint64_t first, uint64_t count, int objects) {
         solid_scene_free(&s);
     }
     cases_summary(&c);
-    print_message("# %s: %d of %lld scenes wrong (at most 4 in a thousand may be), %d left out\n", name, failed,
-                  (long long)c.run, left_out);
-    return failed * 1000 > 4 * c.run + 1000 ? failed : 0;
+    print_message("# %s: %d left out, in %d something is behind the eye\n", name, left_out, behind);
+    return failed;
 }
 
 static void few_objects(void **state) {
