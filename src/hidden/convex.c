@@ -20,7 +20,8 @@ typedef struct drawing {
     page_grid_t grid;
     part_t *part; /* in order, disjoint */
     int32_t parts, parts_max;
-    int32_t edge; /* at hand */
+    int32_t edge;     /* at hand */
+    int32_t owner[2]; /* what its first two faces belong to (shadow.h) does not hide it */
     shadow_line_t line;
     page_box_t box; /* of the line's picture */
     int32_t z;      /* its farthest depth */
@@ -67,6 +68,7 @@ static bool compare(void *ctx, int32_t k) {
     shadow_t *s = &d->shadows.list[k];
     if (s->seen == d->edge) return true;
     s->seen = d->edge;
+    if (s->owner == d->owner[0] || s->owner == d->owner[1]) return true;
     if (s->x1 < d->box.x0 - 2 || s->x0 > d->box.x1 + 2 || s->y1 < d->box.y0 - 2 || s->y0 > d->box.y1 + 2) return true;
     if (s->z > d->z + 2) return true; /* all of it is behind the line */
     int32_t from, to;
@@ -119,6 +121,7 @@ static int draw_edge(drawing_t *d, int32_t edge) {
     d->stats->edges++;
     d->parts = 0;
     if (!is_dropped(d, edge)) {
+        for (int k = 0; k < 2; k++) d->owner[k] = e->face[k] < 0 ? INT32_MAX : shadows_owner(&d->shadows, e->face[k]);
         line->v[0] = e->v[0];
         line->v[1] = e->v[1];
         line->exact = !solid_map_is_good(d->map, e->v[0]) || !solid_map_is_good(d->map, e->v[1]);

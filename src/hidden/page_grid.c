@@ -99,23 +99,26 @@ void page_grid_walk(const page_grid_t *g, const solid_place_t *a, const solid_pl
         b = swap;
     }
     const page_box_t box = {a->x < b->x ? a->x : b->x, a->y, a->x < b->x ? b->x : a->x, b->y};
-    cells_t c = cells_of(g, &box);
-    int64_t dx = (int64_t)b->x - a->x, dy = (int64_t)b->y - a->y;
-    for (int32_t r = c.r0; r <= c.r1; r++) {
-        int32_t first = c.c0, last = c.c1;
-        if (c.r0 < c.r1 && c.c0 < c.c1) { /* the part of the line in this row */
-            int64_t low = g->window.y0 + ((int64_t)r << g->shift) - MARGIN,
-                    high = low + ((int64_t)1 << g->shift) + 2 * MARGIN;
-            if (low > b->y) low = b->y;
-            if (high < a->y) high = a->y;
-            int64_t from = low > a->y ? a->x + dx * (low - a->y) / dy : a->x;
-            int64_t to = high < b->y ? a->x + dx * (high - a->y) / dy : b->x;
-            page_box_t part = {(int32_t)(from < to ? from : to), a->y, (int32_t)(from < to ? to : from), b->y};
-            cells_t p = cells_of(g, &part);
-            if (p.c0 > p.c1) continue;
-            first = p.c0;
-            last = p.c1;
-        }
-        if (!visit_cells(g, r, first, last, visit, ctx)) return;
+    const cells_t c = cells_of(g, &box);
+    if (c.c0 > c.c1) return;
+    if (c.r0 == c.r1 || c.c0 == c.c1) {
+        for (int32_t r = c.r0; r <= c.r1; r++)
+            if (!visit_cells(g, r, c.c0, c.c1, visit, ctx)) return;
+        return;
+    }
+    /* |dx| <= 2^30, and what the slope is multiplied by is at most dy */
+    const int64_t dy = (int64_t)b->y - a->y, slope_q30 = ((int64_t)b->x - a->x) * ((int64_t)1 << 30) / dy;
+    for (int32_t r = c.r0; r <= c.r1; r++) { /* the part of the line in each row */
+        int64_t low = g->window.y0 + ((int64_t)r << g->shift) - MARGIN - a->y,
+                high = low + ((int64_t)1 << g->shift) + 2 * MARGIN;
+        if (low < 0) low = 0;
+        if (high > dy) high = dy;
+        const int32_t from = a->x + (int32_t)(slope_q30 * low >> 30), to = a->x + (int32_t)(slope_q30 * high >> 30);
+        /* a lat more than places are off, for the slope */
+        int32_t first = ((from < to ? from : to) - MARGIN - 1 - g->window.x0) >> g->shift,
+                last = ((from < to ? to : from) + MARGIN + 1 - g->window.x0) >> g->shift;
+        if (first < c.c0) first = c.c0;
+        if (last > c.c1) last = c.c1;
+        if (first <= last && !visit_cells(g, r, first, last, visit, ctx)) return;
     }
 }

@@ -27,6 +27,7 @@ typedef struct shadow {
     int32_t x0, y0, x1, y1; /* lat: box of the picture; everything for a part that reaches behind the eye */
     int32_t z;              /* nearest depth (solid_place_t); INT32_MIN then */
     int32_t seen;           /* the user's: last line it was compared with */
+    int32_t owner;          /* shadows_owner() of edges that it does not hide; INT32_MIN: none in particular */
     bool exact;             /* places on the page are of no use */
 } shadow_t;
 
@@ -65,6 +66,8 @@ int shadows_build(shadows_t *s, const solid_map_t *map, void *mem, size_t bytes)
 /* Does any face at the edge (one record of twins) look at the eye, or may both its sides be seen? Otherwise its own
  * object hides it. */
 bool shadows_is_candidate(const shadows_t *s, const solid_edge_t *edge);
+/* What face it belongs to as shadow_t.owner has it: the whole object, or the one face. */
+int32_t shadows_owner(const shadows_t *s, int32_t face);
 /* Does one of the edge's two faces look at the eye and the other not? */
 bool shadows_is_outline(const shadows_t *s, const solid_edge_t *edge);
 /* Is a part of the line in the shadow: parameters in space from *from to *to, 0 .. INK_ONE, *from < *to. */

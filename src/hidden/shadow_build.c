@@ -27,7 +27,8 @@ static void find_sides(shadows_t *s) {
         solid_normal_t n = solid_face_normal(solid, f);
         int side = eye_side(s, &n, corner_of(s, f, 0));
         s->face[f] = side > 0 ? SHADOW_FRONT : side < 0 ? SHADOW_AWAY : SHADOW_EDGE_ON;
-        if (!solid_face_is_convex(solid, f, &n)) s->face[f] |= SHADOW_BENT;
+        const bool known = solid->object[solid->face[f].object].kind == SOLID_CONVEX;
+        if (!known && !solid_face_is_convex(solid, f, &n)) s->face[f] |= SHADOW_BENT;
     }
 }
 
@@ -96,6 +97,11 @@ static bool is_whole(const shadows_t *s, int32_t object) {
     return s->object[object] == SOLID_CONVEX && s->map->solid->object[object].faces <= SHADOW_FACES_MOST;
 }
 
+int32_t shadows_owner(const shadows_t *s, int32_t face) {
+    const int32_t object = s->map->solid->face[face].object;
+    return is_whole(s, object) ? ~object : face;
+}
+
 static bool is_outline(const shadows_t *s, const solid_edge_t *e) {
     return shadows_is_outline(s, e) && is_whole(s, s->map->solid->face[e->face[0]].object);
 }
@@ -149,11 +155,11 @@ static void finish_box(shadow_t *part) {
 }
 
 static const shadow_t EMPTY = {
-    .x0 = INT32_MAX, .y0 = INT32_MAX, .x1 = INT32_MIN, .y1 = INT32_MIN, .z = INT32_MAX, .seen = -1};
+    .x0 = INT32_MAX, .y0 = INT32_MAX, .x1 = INT32_MIN, .y1 = INT32_MIN, .z = INT32_MAX, .seen = -1, .owner = INT32_MIN};
 
 /* One polygon of n corners; away: its other side is seen. */
-static void add_polygon(shadows_t *s, counts_t *at, const int32_t *corner, int32_t n, const solid_normal_t *normal,
-                        bool away) {
+static shadow_t *add_polygon(shadows_t *s, counts_t *at, const int32_t *corner, int32_t n, const solid_normal_t *normal,
+                             bool away) {
     shadow_t *part = &s->list[at->parts++];
     *part = EMPTY;
     part->plane = (int32_t)at->planes++;
@@ -167,6 +173,7 @@ static void add_polygon(shadows_t *s, counts_t *at, const int32_t *corner, int32
         stretch(s, part, p);
     }
     finish_box(part);
+    return part;
 }
 
 typedef struct filling {
@@ -215,7 +222,8 @@ static int fill_faces(filling_t *fill, void *spare, size_t bytes) {
             int err = triangulate(solid, f, &n, spare, bytes, add_triangle, fill);
             if (err) return err;
         } else {
-            add_polygon(fill->s, &fill->at, solid->corner + face->corner, face->n, &n, side_of(s, f) == SHADOW_AWAY);
+            const int32_t *corner = solid->corner + face->corner;
+            add_polygon(fill->s, &fill->at, corner, face->n, &n, side_of(s, f) == SHADOW_AWAY)->owner = f;
         }
     }
     return 0;
@@ -227,7 +235,8 @@ static void fill_objects(shadows_t *s, counts_t *at, int32_t *part) {
     for (int32_t o = 0; o < solid->no; o++) {
         if (!is_whole(s, o)) continue;
         part[o] = (int32_t)at->parts;
-        s->list[at->parts++] = EMPTY;
+        s->list[at->parts] = EMPTY;
+        s->list[at->parts++].owner = ~o;
     }
     for (int32_t f = 0; f < solid->nf; f++) {
         if (!is_whole(s, solid->face[f].object)) continue;
