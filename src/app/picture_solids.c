@@ -4,6 +4,7 @@
 #include "error.h"
 #include "hidden/area_tone.h"
 #include "hidden/convex.h"
+#include "hidden/once.h"
 #include "hidden/wires.h"
 #include "scene/surface_mesh.h"
 #include "view/dash.h"
@@ -51,6 +52,7 @@ size_t picture_solids_bytes(const plot_t *plot) {
         sum.segments += m.list[k]->segments;
     }
     size_t bytes = solid_bytes(m.list, plot->n) + SOLID_MAP_BYTES(sum.nv) + surfaces_bytes(plot);
+    bytes += ONCE_BYTES(sum.corners + sum.segments);
     if (plot->settings->hidden == HIDDEN_NONE) return bytes;
     if (plot->settings->hidden == HIDDEN_HALO) return bytes + picture_halo_bytes(plot, 4);
     if (plot->settings->hidden == HIDDEN_AREA) return bytes + area_bytes(sum.faces, sum.corners) * 4 / 3;
@@ -171,37 +173,48 @@ static int draw_area(picture_t *p, const hidden_job_t *job) {
 }
 #endif
 
-int picture_solids(picture_t *p, const pen_sink_t *pen) {
+/* By the kernel that is set; dashes: where hidden parts go, if they go anywhere. */
+static int hide(picture_t *p, const ink_sink_t *dashes, const hidden_job_t *job) {
     const settings_t *set = p->plot->settings;
+    if (set->hidden == HIDDEN_NONE) return wires_draw(&p->solid_map, job, &p->stats.hidden);
+    if (set->hidden == HIDDEN_HALO) return picture_halo_solids(p, job);
+    if (set->hidden == HIDDEN_AREA) return draw_area(p, job);
+    return convex_draw(&p->solid_map, set->dashed ? dashes : NULL, job, &p->stats.hidden);
+}
+
+static bool is_inside(const picture_t *p) {
+    bool inside = true;
+    for (int32_t k = 0; k < p->spaces; k++) inside &= p->lines[k].all_inside;
+    return inside;
+}
+
+int picture_solids(picture_t *p, const pen_sink_t *pen) {
     int err = build(p);
     if (err) return err;
 #if CONFIG_AREA
     err = setup_tones(p);
     if (err) return err;
 #endif
-    size_t kernel_bytes = 0;
-    void *kernel = set->hidden == HIDDEN_NONE ? NULL : picture_kernel_memory(p, &kernel_bytes);
+    size_t bytes = 0;
+    uint8_t *mem = picture_kernel_memory(p, &bytes);
     err = picture_open(p, pen, 1, 4 * (int64_t)p->solid.ne + hatch_runs(p));
     if (err) return err;
+    once_t once;
+    err = mem ? once_build(&once, &p->solid_map, mem, bytes) : ERR_FULL;
+    if (err) return err;
     dash_t dash = {p->lines, p->cut.next};
-    cut_t cut = {p->lines, dash_sink(&dash)};
+    cut_t cut[2] = {{p->lines, once_seen(&once, p->cut.next)}, {p->lines, once_dashed(&once, dash_sink(&dash))}};
+    ink_sink_t seen = is_inside(p) ? cut[0].next : cut_sink(&cut[0]), hidden = cut_sink(&cut[1]);
 #if CONFIG_AREA
-    line_sorter_t seen_lines = {&p->solid_map, set->outline, false, p->sink};
-    line_sorter_t hidden_lines = {&p->solid_map, set->outline, true, cut_sink(&cut)};
-    const ink_sink_t seen = line_class_sink(&seen_lines), hidden = line_class_sink(&hidden_lines);
-#else
-    const ink_sink_t seen = p->sink, hidden = cut_sink(&cut);
+    const bool outline = p->plot->settings->outline;
+    line_sorter_t sorter[2] = {{&p->solid_map, outline, false, seen}, {&p->solid_map, outline, true, hidden}};
+    seen = line_class_sink(&sorter[0]);
+    hidden = line_class_sink(&sorter[1]);
 #endif
-    const hidden_job_t job = {kernel, kernel_bytes, &seen, hide_tick, p, false};
-    if (set->hidden == HIDDEN_NONE)
-        err = wires_draw(&p->solid_map, &job, &p->stats.hidden);
-    else if (set->hidden == HIDDEN_HALO)
-        err = picture_halo_solids(p, &job);
-    else if (set->hidden == HIDDEN_AREA)
-        err = draw_area(p, &job);
-    else
-        err = convex_draw(&p->solid_map, set->dashed ? &hidden : NULL, &job, &p->stats.hidden);
+    const hidden_job_t job = {mem + once.bytes, bytes - once.bytes, &seen, hide_tick, p, false};
+    err = hide(p, &hidden, &job);
+    if (!err) err = once_finish(&once);
     p->stats.facets = p->solid.nf;
-    p->stats.kernel_bytes = p->stats.hidden.bytes;
+    p->stats.kernel_bytes = once.bytes + p->stats.hidden.bytes;
     return err ? err : picture_close(p);
 }

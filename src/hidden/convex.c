@@ -63,9 +63,7 @@ static void take_off(drawing_t *d, int32_t from, int32_t to) {
     d->parts = n;
 }
 
-static bool compare(void *ctx, int32_t k) {
-    drawing_t *d = ctx;
-    shadow_t *s = &d->shadows.list[k];
+static bool compare(drawing_t *d, shadow_t *s) {
     if (s->seen == d->edge) return true;
     s->seen = d->edge;
     if (s->owner == d->owner[0] || s->owner == d->owner[1]) return true;
@@ -77,6 +75,13 @@ static bool compare(void *ctx, int32_t k) {
     d->stats->crossings++;
     take_off(d, from, to);
     return d->parts > 0 && !d->full;
+}
+
+static bool compare_all(void *ctx, const int32_t *from, const int32_t *end) {
+    drawing_t *d = ctx;
+    for (; from < end; from++)
+        if (!compare(d, &d->shadows.list[*from])) return false;
+    return true;
 }
 
 static int emit(drawing_t *d, const ink_sink_t *sink, int32_t from, int32_t to) {
@@ -130,30 +135,10 @@ static int draw_edge(drawing_t *d, int32_t edge) {
         d->z = a->z > b->z ? a->z : b->z;
         d->part[0] = (part_t){(int32_t)t_q30[0], (int32_t)t_q30[1]};
         d->parts = 1;
-        page_grid_walk(&d->grid, a, b, compare, d);
+        page_grid_walk(&d->grid, a, b, compare_all, d);
         if (d->full) return ERR_FULL;
     }
     return emit_parts(d, (int32_t)t_q30[0], (int32_t)t_q30[1]);
-}
-
-/* The part of the window in which there is anything: what is outside of it is not drawn. */
-static page_box_t picture_box(const solid_map_t *m) {
-    const page_window_t *w = m->lines.window;
-    page_box_t box = {w->x0_lat, w->y0_lat, w->x1_lat, w->y1_lat};
-    if (m->any_behind) return box;
-    page_box_t all = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
-    for (int32_t v = 0; v < m->solid->nv; v++) {
-        const solid_place_t *p = &m->place[v];
-        if (p->x < all.x0) all.x0 = p->x;
-        if (p->x > all.x1) all.x1 = p->x;
-        if (p->y < all.y0) all.y0 = p->y;
-        if (p->y > all.y1) all.y1 = p->y;
-    }
-    if (all.x0 > box.x0) box.x0 = all.x0 < box.x1 ? all.x0 : box.x1;
-    if (all.y0 > box.y0) box.y0 = all.y0 < box.y1 ? all.y0 : box.y1;
-    if (all.x1 < box.x1) box.x1 = all.x1 > box.x0 ? all.x1 : box.x0;
-    if (all.y1 < box.y1) box.y1 = all.y1 > box.y0 ? all.y1 : box.y0;
-    return box;
 }
 
 /* Divides the memory: shadows, room for parts, the grid; what the grid leaves goes to parts too. */
@@ -163,7 +148,7 @@ static int set_up(drawing_t *d, const hidden_job_t *job) {
     uint8_t *at = (uint8_t *)job->mem + d->shadows.bytes;
     size_t left = job->bytes - d->shadows.bytes, least = PARTS_LEAST * sizeof(part_t);
     if (left < least) return ERR_FULL;
-    const page_box_t window = picture_box(d->map);
+    const page_box_t window = page_grid_window(d->map);
     err = page_grid_build(&d->grid, &window, d->shadows.n, shadow_box, &d->shadows, at, left - least);
     if (err) return err;
     size_t used = (d->grid.bytes + 7) & ~(size_t)7;

@@ -9,9 +9,10 @@
  *     in the plane of a face that looks at the eye    not hidden: edges that touch the object without crossing it
  *     in the plane through the eye and an outline     hidden if behind: what falls together with a nearer line, or
  *                                                     lies behind the seam of two faces, is not drawn
- *     edge of the object itself                       visible if one of its faces looks at the eye, else hidden
- * (dropped before anything is compared) a plane through the eye                         looks away: a polygon seen
- * edge-on hides nothing a segment seen end-on                           no ink
+ *     edge of the object itself                       visible if one of its faces looks at the eye, else hidden;
+ *                                                     dropped before anything is compared
+ *     a plane through the eye                         looks away: a polygon seen edge-on hides nothing
+ *     a segment seen end-on                           no ink
  *
  * Objects are the scene's convex ones (solid.h), and one by one the faces of the others: those that look at the eye of
  * closed ones, both sides of open ones. Faces that are not convex or not flat are cut into triangles, whose own

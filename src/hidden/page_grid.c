@@ -11,6 +11,25 @@ typedef struct cells {
     int32_t c0, r0, c1, r1; /* inclusive; empty if c0 > c1 */
 } cells_t;
 
+page_box_t page_grid_window(const solid_map_t *m) {
+    const page_window_t *w = m->lines.window;
+    page_box_t box = {w->x0_lat, w->y0_lat, w->x1_lat, w->y1_lat};
+    if (m->any_behind) return box;
+    page_box_t all = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
+    for (int32_t v = 0; v < m->solid->nv; v++) {
+        const solid_place_t *p = &m->place[v];
+        if (p->x < all.x0) all.x0 = p->x;
+        if (p->x > all.x1) all.x1 = p->x;
+        if (p->y < all.y0) all.y0 = p->y;
+        if (p->y > all.y1) all.y1 = p->y;
+    }
+    if (all.x0 > box.x0) box.x0 = all.x0 < box.x1 ? all.x0 : box.x1;
+    if (all.y0 > box.y0) box.y0 = all.y0 < box.y1 ? all.y0 : box.y1;
+    if (all.x1 < box.x1) box.x1 = all.x1 > box.x0 ? all.x1 : box.x0;
+    if (all.y1 < box.y1) box.y1 = all.y1 > box.y0 ? all.y1 : box.y0;
+    return box;
+}
+
 static cells_t cells_of(const page_grid_t *g, const page_box_t *b) {
     const page_box_t *w = &g->window;
     if (b->x1 < w->x0 - MARGIN || b->x0 > w->x1 + MARGIN || b->y1 < w->y0 - MARGIN || b->y0 > w->y1 + MARGIN)
@@ -82,17 +101,15 @@ int page_grid_build(page_grid_t *g, const page_box_t *window, int32_t n, page_bo
     }
 }
 
-/* Columns first .. last of a row. */
-static bool visit_cells(const page_grid_t *g, int32_t row, int32_t first, int32_t last,
-                        bool (*visit)(void *ctx, int32_t k), void *ctx) {
-    const int32_t *from = &g->start[row * g->columns + first], *to = &g->start[row * g->columns + last + 1];
-    for (int32_t k = *from; k < *to; k++)
-        if (!visit(ctx, g->entry[k])) return false;
-    return true;
+/* Columns first .. last of a row lie side by side. */
+static bool visit_cells(const page_grid_t *g, int32_t row, int32_t first, int32_t last, page_grid_visit_t *visit,
+                        void *ctx) {
+    const int32_t *cell = &g->start[row * g->columns];
+    return visit(ctx, g->entry + cell[first], g->entry + cell[last + 1]);
 }
 
-void page_grid_walk(const page_grid_t *g, const solid_place_t *a, const solid_place_t *b,
-                    bool (*visit)(void *ctx, int32_t k), void *ctx) {
+void page_grid_walk(const page_grid_t *g, const solid_place_t *a, const solid_place_t *b, page_grid_visit_t *visit,
+                    void *ctx) {
     if (a->y > b->y) {
         const solid_place_t *swap = a;
         a = b;

@@ -21,12 +21,16 @@ typedef struct page_grid {
     size_t bytes;
 } page_grid_t;
 
+/* The part of the page in which there is anything of a scene: what is outside is not drawn. */
+page_box_t page_grid_window(const solid_map_t *m);
 /* Sorts n boxes into cells. box(ctx, k): the k-th. mem: aligned to 4. Returns 0 or ERR_FULL. */
 int page_grid_build(page_grid_t *g, const page_box_t *window, int32_t n, page_box_t (*box)(void *ctx, int32_t k),
                     void *ctx, void *mem, size_t bytes);
-/* Calls visit for each box in each cell that the line from a to b comes near, some more than once, until it returns
+/* Takes the numbers of some boxes, from .. end - 1; false: enough. */
+typedef bool page_grid_visit_t(void *ctx, const int32_t *from, const int32_t *end);
+/* Calls visit for all boxes in the cells that the line from a to b comes near, some more than once, until it returns
  * false. */
-void page_grid_walk(const page_grid_t *g, const solid_place_t *a, const solid_place_t *b,
-                    bool (*visit)(void *ctx, int32_t k), void *ctx);
+void page_grid_walk(const page_grid_t *g, const solid_place_t *a, const solid_place_t *b, page_grid_visit_t *visit,
+                    void *ctx);
 
 #endif

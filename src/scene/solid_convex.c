@@ -31,14 +31,15 @@ static void check_faces(solid_build_t *b) {
     }
 }
 
-/* Is all of face g behind the plane of face f, or in it? */
-static bool is_behind(const solid_t *s, int32_t f, int32_t g) {
+/* Is all of face g, which meets face f in an edge, behind the plane of f, or in it? */
+static bool is_behind(const solid_t *s, const solid_edge_t *e, int32_t f, int32_t g) {
     const solid_normal_t n = solid_face_normal(s, f);
     const wide_t slack = solid_slack(&n);
     const solid_vertex_t *at = &s->vertex[s->corner[s->face[f].corner]];
     for (int32_t k = 0; k < s->face[g].n; k++) {
-        const solid_vertex_t *v = &s->vertex[s->corner[s->face[g].corner + k]];
-        if (wide_cmp(solid_dot(&n, solid_sub(v, at)), slack) > 0) return false;
+        const int32_t v = s->corner[s->face[g].corner + k];
+        if (v == e->v[0] || v == e->v[1]) continue;
+        if (wide_cmp(solid_dot(&n, solid_sub(&s->vertex[v], at)), slack) > 0) return false;
     }
     return true;
 }
@@ -47,7 +48,7 @@ static void check_edges(solid_build_t *b) {
     for (int32_t e = 0; e < b->s->ne; e++) {
         const int32_t *f = b->edge[e].face;
         if (f[0] < 0 || f[1] < 0 || !is_candidate(b, f[0])) continue;
-        if (!is_behind(b->s, f[0], f[1])) demote(b, f[0]);
+        if (!is_behind(b->s, &b->edge[e], f[0], f[1])) demote(b, f[0]);
     }
 }
 

@@ -11,6 +11,8 @@ solid_normal_t solid_face_normal(const solid_t *s, int32_t face) {
     const int32_t *c = s->corner + f->corner;
     solid_normal_t sum = {{0, 0, 0}};
     const solid_vertex_t *at = &s->vertex[c[0]];
+    if (f->n == 4) /* of its diagonals */
+        return solid_cross(solid_sub(&s->vertex[c[2]], at), solid_sub(&s->vertex[c[3]], &s->vertex[c[1]]));
     for (int32_t k = 1; k + 1 < f->n; k++) {
         solid_normal_t n = solid_cross(solid_sub(&s->vertex[c[k]], at), solid_sub(&s->vertex[c[k + 1]], at));
         for (int i = 0; i < 3; i++) {
@@ -45,6 +47,7 @@ bool solid_face_is_convex(const solid_t *s, int32_t face, const solid_normal_t *
         if (!is_within(solid_dot(normal, solid_sub(p, at)), slack)) return false;
         solid_normal_t turn = solid_cross(solid_sub(q, p), solid_sub(r, q));
         if (!agrees(normal, &turn)) return false;
+        if (f->n == 4) continue;
         solid_normal_t fan = solid_cross(solid_sub(p, at), solid_sub(q, at)); /* a star turns one way too, but not so */
         if (!agrees(normal, &fan)) return false;
     }

@@ -97,5 +97,21 @@ hidden_parts_are_dashed() {
     [ "$(sed 1d b.seg | wc -l)" -eq 4 ]
 }
 
+# Two boxes side by side, one half as high: their common corner and ground line are drawn once, however it is hidden.
+what_falls_together_is_drawn_once() {
+    { cube; cube | sed 's/^v 0/v -1/; s/^v 1/v 0/; s/ 1$/ .5/' | awk '/^f/ { for (k = 2; k <= NF; k++) $k += 8 } 1'; } >a.obj
+    for mode in 'unset hidden3d' 'set hidden3d convex' 'set hidden3d halo' 'set hidden3d area' 'set hidden3d dashed'; do
+        printf "set view 70,30\n$mode\nsplot 'a.obj' rotate 10,20,30\n" >a.gp
+        ridgeline plot a.gp -o a.seg
+        awk 'NR > 1 { for (k = 1; k < n; k++) { # both ends of the shorter on the other
+                 ux = x[k] - $1; uy = y[k] - $2; vx = $3 - $1; vy = $4 - $2; l = sqrt(vx * vx + vy * vy)
+                 wx = a[k] - $1; wy = b[k] - $2; s = (ux * vx + uy * vy) / l; t = (wx * vx + wy * vy) / l
+                 d = (ux * vy - uy * vx) / l; e = (wx * vy - wy * vx) / l
+                 if (s > t) { r = s; s = t; t = r }
+                 if (d * d < 1e-6 && e * e < 1e-6 && t > .01 && s < l - .01) { print "twice: " $0; bad = 1 } }
+                 x[n] = $1; y[n] = $2; a[n] = $3; b[n++] = $4 } END { exit bad }' n=1 a.seg
+    done
+}
+
 run_tests a_surface_of_facets_is_the_surface formats_are_the_same_body a_binary_stl_is_read what_is_wrong_is_said \
-    rows_as_they_are_typed hidden_parts_are_dashed
+    rows_as_they_are_typed hidden_parts_are_dashed what_falls_together_is_drawn_once

@@ -203,6 +203,38 @@ void solid_scene_random(solid_scene_t *s, uint64_t seed, int objects) {
     solid_ref_finish(&s->ref);
 }
 
+void solid_scene_flush(solid_scene_t *s, uint64_t seed, int objects) {
+    rng = seed * 0x9e3779b97f4a7c15u + 0x7654321;
+    for (int k = 0; k < 5; k++) uniform(0, 1);
+    *s = (solid_scene_t){0};
+    settings_default(&s->set);
+    const int n = 1 + pick(objects);
+    for (int k = 0; k < n; k++) {
+        const double at[3] = {0, 0, 0};
+        const place_t p = place(false, 1, at);
+        if (pick(4)) {
+            lattice_box(&s->ref);
+        } else { /* wires along the lattice */
+            const double x = pick(5) - 2, y = pick(5) - 2, z = pick(4), way = 1 + pick(3);
+            const int axis = pick(3);
+            solid_ref_line(&s->ref, put(&s->ref, &p, x, y, z),
+                           put(&s->ref, &p, x + (axis == 0) * way, y + (axis == 1) * way, z + (axis == 2) * way));
+        }
+    }
+    if (pick(2)) { /* the whole turned: then nothing is exactly on anything */
+        const double at[3] = {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+        const place_t p = place(true, uniform(0.5, 3), at);
+        solid_ref_t *r = &s->ref;
+        for (int v = 0; v < r->nv; v++) {
+            const exact_point_t q = r->vertex[v];
+            (void)put(r, &p, q.x, q.y, q.z);
+            r->vertex[v] = r->vertex[--r->nv];
+        }
+    }
+    set_view(s, true);
+    solid_ref_finish(&s->ref);
+}
+
 void solid_scene_free(solid_scene_t *s) {
     solid_ref_free(&s->ref);
 }

@@ -19,6 +19,9 @@ typedef struct solid_scene {
  * needles, tori, open sheets, single polygons, free segments; windings as they come, faces twice, faces without an
  * area. Seen from anywhere, from along the axes, from inside of the box, from the plane of a face. */
 void solid_scene_random(solid_scene_t *s, uint64_t seed, int objects);
+/* Up to `objects` boxes and wires on a lattice, flush in part with each other, in half of the scenes turned by some
+ * angle. */
+void solid_scene_flush(solid_scene_t *s, uint64_t seed, int objects);
 /* k x k unit cubes, pitch 1.5, 25 degrees above the ground: Franklin & Akman's figure 4. */
 void solid_scene_cubes(solid_scene_t *s, int k);
 /* n x n quadrilaterals of two triangles round a torus; hole 0: a ball. Seen as the cubes. */
