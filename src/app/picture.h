@@ -17,6 +17,7 @@
 #include "hidden/area_border.h"
 #include "hidden/hatch.h"
 #include "hidden/hidden.h"
+#include "hidden/shaded.h"
 #include "lang/plot.h"
 #include "path/path.h"
 #include "scene/profiles_cache.h"
@@ -88,6 +89,11 @@ typedef struct picture {
         struct {
             grid_t grid[PICTURE_GRIDS_MAX];
             page_map_t map[PICTURE_GRIDS_MAX];
+#if CONFIG_AREA
+            hatch_t surface_hatch; /* lines[spaces - 1], if surfaces are hatched */
+            shaded_t shaded;
+            light_t lights[LIGHTS_MAX];
+#endif
         };
         struct {
             profiles_t profiles;

@@ -114,16 +114,27 @@ static int build(picture_t *p) {
 
 bool picture_is_hatched(const plot_t *plot) {
     const settings_t *set = plot->settings;
+    if (plot->kind == PLOT_SURFACES)
+        return set->hatch_um > 0 && set->hidden != HIDDEN_HORIZON && set->hidden != HIDDEN_HALO &&
+               set->hidden != HIDDEN_NONE;
     return plot->kind == PLOT_SOLIDS && set->hidden == HIDDEN_AREA && set->hatch_um > 0;
 }
 
-/* Hatch lines are another line space. */
-static void setup_hatch(picture_t *p) {
+void picture_setup_hatch(const picture_t *p, hatch_t *hatch) {
     const settings_t *set = p->plot->settings;
     num_t degrees = num_mul(num_from_i64(set->hatch_mdeg), num_from_decimal(1, -3));
-    hatch_setup(&p->hatch, &p->camera.window, degrees, (int32_t)((int64_t)set->hatch_um * LAT_PER_MM / 1000));
-    p->lines[LINE_HATCH] = p->hatch.lines;
-    p->spaces = LINE_CLASSES;
+    hatch_setup(hatch, &p->camera.window, degrees, (int32_t)((int64_t)set->hatch_um * LAT_PER_MM / 1000));
+}
+
+int32_t picture_lights(const settings_t *set, light_t light[LIGHTS_MAX]) {
+    int32_t n = 0;
+    for (int k = 0; k < LIGHTS_MAX; k++) {
+        if (!set->light[k].on) continue;
+        for (int i = 0; i < 3; i++)
+            light[n].at[i] = num_mul(num_from_i64(set->light[k].milli[i]), num_from_decimal(1, -3));
+        light[n++].point = set->light[k].point;
+    }
+    return n;
 }
 
 /* Runs that hatching adds, about. */
@@ -138,7 +149,10 @@ static bool has_borders(const plot_t *plot) {
 
 /* A part of the memory keeps the lines that are no edges, as long as they are drawn. */
 static int setup_tones(picture_t *p) {
-    if (picture_is_hatched(p->plot)) setup_hatch(p);
+    if (picture_is_hatched(p->plot)) {
+        picture_setup_hatch(p, &p->hatch);
+        p->lines[LINE_HATCH] = p->hatch.lines;
+    }
     if (!has_borders(p->plot)) return 0;
     size_t bytes = arena_left(&p->arena) / BORDERS_SHARE;
     void *mem = arena_take(&p->arena, bytes);
@@ -153,13 +167,7 @@ static int draw_area(picture_t *p, const hidden_job_t *job) {
     area_tone_t tone = {.shadow = set->shadow};
     if (picture_is_hatched(p->plot)) tone.hatch = &p->hatch;
     if (has_borders(p->plot)) tone.borders = &p->borders;
-    for (int n = 0; n < LIGHTS_MAX; n++) {
-        if (!set->light[n].on) continue;
-        light_t *light = &tone.light[tone.lights++];
-        const num_t milli = num_from_decimal(1, -3);
-        for (int k = 0; k < 3; k++) light->at[k] = num_mul(num_from_i64(set->light[n].milli[k]), milli);
-        light->point = set->light[n].point;
-    }
+    tone.lights = picture_lights(set, tone.light);
     return area_draw(&p->solid_map, tone.hatch || tone.borders ? &tone : NULL, job, &p->stats.hidden, &p->area);
 }
 #else

@@ -20,6 +20,10 @@ size_t picture_solids_bytes(const plot_t *plot);
 #if CONFIG_AREA
 /* Does `set hatch` count for it? */
 bool picture_is_hatched(const plot_t *plot);
+/* Its lines, on the camera's page. */
+void picture_setup_hatch(const picture_t *p, hatch_t *hatch);
+/* Those that are on. Returns how many. */
+int32_t picture_lights(const settings_t *set, light_t light[LIGHTS_MAX]);
 #endif
 /* A terrain that is cut into profiles? Otherwise PLOT_SOLIDS are solids. */
 static inline bool picture_is_terrain(const plot_t *plot) {

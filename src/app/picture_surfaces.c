@@ -2,6 +2,7 @@
 #include "app/picture_stages.h"
 
 #include "error.h"
+#include "hidden/grid_outline.h"
 #include "hidden/perimeter.h"
 #include "hidden/plain.h"
 
@@ -102,6 +103,40 @@ static int draw_plain(picture_t *p, bool isolines) {
     return 0;
 }
 
+#if CONFIG_AREA
+/* Hatching takes rows of its own, and an eighth of the memory for its lines; they may be more. */
+static int setup_shaded(picture_t *p) {
+    const int32_t n = p->spaces, nx = p->grid[0].nx;
+    size_t bytes = shaded_bytes(nx, n), more = arena_left(&p->arena) / 8;
+    bytes += more > 4096 ? more : 4096;
+    void *mem = arena_take(&p->arena, bytes);
+    if (!mem) return ERR_FULL;
+    picture_setup_hatch(p, &p->surface_hatch);
+    p->lines[n] = p->surface_hatch.lines;
+    p->surface_hatch.bits = SHADED_BITS;
+    p->shaded = (shaded_t){.hatch = &p->surface_hatch,
+                           .lines = p->lines,
+                           .cam = &p->camera,
+                           .light = p->lights,
+                           .lights = picture_lights(p->plot->settings, p->lights),
+                           .sink = &p->sink,
+                           .space = (uint8_t)n};
+    p->pens.of_space[n] = p->plot->settings->pen[LINE_HATCH];
+    p->spaces++;
+    return shaded_init(&p->shaded, nx, n, mem, bytes);
+}
+
+static int draw_surfaces(picture_t *p, grid_t *const grid[], const hidden_job_t *job) {
+    const int32_t n = p->plot->n;
+    return p->spaces == n ? perimeter_draw_several(grid, n, &p->camera, job, &p->stats.hidden)
+                          : perimeter_draw_shaded(grid, n, &p->camera, job, &p->shaded, &p->stats.hidden);
+}
+#else
+static int draw_surfaces(picture_t *p, grid_t *const grid[], const hidden_job_t *job) {
+    return perimeter_draw_several(grid, p->plot->n, &p->camera, job, &p->stats.hidden);
+}
+#endif
+
 /* Measures all surfaces and sets the view up. */
 static int begin(picture_t *p, const pen_sink_t *pen, bool isolines, bool *plain) {
     const plot_t *plot = p->plot;
@@ -125,7 +160,15 @@ static int begin(picture_t *p, const pen_sink_t *pen, bool isolines, bool *plain
     err = picture_camera(p, lo, hi);
     if (!err) err = map_surfaces(p);
     *plain = isolines || (p->spaces == 1 && is_vertical(&p->camera, lo, hi));
-    return err ? err : picture_open(p, pen, growing, 4 * points);
+    int64_t runs = 4 * points;
+#if CONFIG_AREA
+    if (!err && picture_is_hatched(plot)) {
+        err = setup_shaded(p);
+        *plain = false;
+        runs += 16 * (int64_t)hatch_lines(&p->surface_hatch);
+    }
+#endif
+    return err ? err : picture_open(p, pen, growing, runs);
 }
 
 static int draw(picture_t *p, const pen_sink_t *pen) {
@@ -136,7 +179,12 @@ static int draw(picture_t *p, const pen_sink_t *pen) {
     void *kernel = isolines ? NULL : picture_kernel_memory(p, &kernel_bytes);
     int err = begin(p, pen, isolines, &plain);
     if (err) return err;
-    const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p, picture_in_turn(p)};
+    ink_sink_t sink = p->sink;
+#if CONFIG_AREA
+    grid_outline_t outline = {p->lines, p->grid, p->sink};
+    if (p->plot->settings->outline && !isolines) sink = grid_outline_sink(&outline);
+#endif
+    const hidden_job_t job = {kernel, kernel_bytes, &sink, hide_tick, p, picture_in_turn(p)};
     if (hidden == HIDDEN_HALO) {
         err = CONFIG_SOLIDS ? picture_halo_surfaces(p, &job) : ERR_UNSUPPORTED;
         p->stats.kernel_bytes = p->stats.hidden.bytes;
@@ -145,13 +193,13 @@ static int draw(picture_t *p, const pen_sink_t *pen) {
         for (int32_t k = 0; k < p->spaces; k++) p->stats.facets += (int64_t)(p->grid[k].nx - 1) * (p->grid[k].ny - 1);
     } else {
         grid_t *grid[PICTURE_GRIDS_MAX];
-        for (int32_t k = 0; k < p->spaces; k++) grid[k] = &p->grid[k];
-        err = perimeter_draw_several(grid, p->spaces, &p->camera, &job, &p->stats.hidden);
+        for (int32_t k = 0; k < p->plot->n; k++) grid[k] = &p->grid[k];
+        err = draw_surfaces(p, grid, &job);
         p->stats.facets = p->stats.hidden.facets;
         p->stats.kernel_bytes = p->stats.hidden.bytes;
     }
     if (!err) err = picture_close(p);
-    for (int32_t k = 0; k < p->spaces; k++) p->stats.evaluated += p->grid[k].evaluated;
+    for (int32_t k = 0; k < p->spaces && (isolines || k < p->plot->n); k++) p->stats.evaluated += p->grid[k].evaluated;
     return err;
 }
 

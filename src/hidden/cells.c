@@ -175,6 +175,9 @@ static int cell(sweep_t *s, int32_t i, near_edges_t near) {
             l->spans = windows_spans(l->outline, l->lines, l->span);
         }
     }
+    for (int32_t m = 0; m < s->layers && err == 0; m++) {
+        if (s->layer[m].present) err = sweep_shade(s, &s->layer[m], i);
+    }
     for (int side = 0; side < SIDES && present > 0; side++) share_coinciding(s, i, side);
     for (int32_t m = 0; m < s->layers && err == 0; m++) {
         if (!s->layer[m].present) continue;

@@ -88,13 +88,15 @@ bool edges_facet_is_right(const edges_t *e, pencil_t p0, pencil_t p1) {
 /* Is the edge at hand in a vertical plane through the eye? */
 static bool is_in_plane_of_eye(const edges_t *e) {
     const edges_edge_t *k = &e->edge;
+    if (k->family == INK_CURVE) return false;
     return k->family == INK_ROW ? chart_row_has_eye(&e->chart, k->line) : chart_column_has_eye(&e->chart, k->line);
 }
 
 int edges_clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
     if (e->chart.kind == CHART_VERTICAL) return edges_take_unseen(e, 0, ONE_Q30);
     if (envelope_vertical(p0, p1)) e->horizons.in_plane = is_in_plane_of_eye(e);
-    if (e->cover == COVER_HORIZONS) return horizons_clip(&e->horizons, p0, p1);
+    if (e->cover == COVER_HORIZONS)
+        return e->work == EDGES_LOOK ? horizons_look(&e->horizons, p0, p1) : horizons_clip(&e->horizons, p0, p1);
     if (!e->outline_only) return edges_clip_windowed(e, p0, p1);
     if (p0.a != p1.a && e->lines < OUTLINE_LINES) {
         e->outline[e->lines++] = p0.a < p1.a ? (outline_line_t){p0, p1} : (outline_line_t){p1, p0};

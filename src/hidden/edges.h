@@ -74,6 +74,19 @@ int edges_cover_below(edges_t *e, const windows_span_t *span, int32_t spans, int
 int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run);
 int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i, run_t *run);
 
+/* A straight line that is no grid edge, such as one of the hatching of a facet. In CHART_AROUND by its ends relative to
+ * the eye in the chart's scales; otherwise by their pencil coordinates and reciprocal distances (any common scale). */
+typedef struct edges_segment {
+    pencil_t at[2];
+    uint32_t g[2];
+    int32_t x[2], y[2];
+    int64_t z[2]; /* |z| < 2^60 */
+} edges_segment_t;
+
+/* Gives what is visible of it to sink, as pieces of family INK_CURVE with parameters in space, 0 to INK_ONE; nothing is
+ * covered by it. Returns 0 or the sink's error. */
+int edges_look_at(edges_t *e, const edges_segment_t *s, const ink_sink_t *sink);
+
 /* Is the edge vertical in the chart? Such edges must be clipped before others that end in their vertices. */
 bool edges_row_is_vertical(const edges_t *e, const chart_line_t *line, int32_t i);
 bool edges_column_is_vertical(const edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i);

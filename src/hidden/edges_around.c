@@ -128,8 +128,7 @@ static int clip_piece(edges_t *e, int sector, edges_place_t a, edges_place_t b, 
     return clip_zones(e, p);
 }
 
-/* Clips the part a-b of an edge, [s0, s1] of its way, which lies in one sector. */
-static int clip_in_sector(edges_t *e, edges_place_t a, edges_place_t b, int32_t s0, int32_t s1) {
+int edges_clip_in_sector(edges_t *e, edges_place_t a, edges_place_t b, int32_t s0, int32_t s1) {
     const edges_place_t m = place_at(a, b, ONE_Q30 / 2);
     const int sector = chart_sector(m.x, m.y);
     if ((a.z < 0) == (b.z < 0)) return clip_piece(e, sector, a, b, s0, s1);
@@ -157,10 +156,10 @@ int edges_clip_around(edges_t *e, edges_place_t p, edges_place_t q) {
         int64_t part = (int64_t)cut - v0, way = (int64_t)v1 - v0;
         edges_place_t to = {along_x ? cut : p.x, along_x ? p.y : cut, between(p.z, q.z, part, way)};
         int32_t to_q30 = (int32_t)pencil_fraction((uint64_t)part, (uint64_t)way);
-        int err = clip_in_sector(e, from, to, from_q30, to_q30);
+        int err = edges_clip_in_sector(e, from, to, from_q30, to_q30);
         if (err != 0) return err;
         from = to;
         from_q30 = to_q30;
     }
-    return clip_in_sector(e, from, q, from_q30, ONE_Q30);
+    return edges_clip_in_sector(e, from, q, from_q30, ONE_Q30);
 }

@@ -30,6 +30,8 @@ int edges_clip_line(edges_t *e, pencil_t p0, pencil_t p1);
 bool edges_facet_is_right(const edges_t *e, pencil_t p0, pencil_t p1);
 /* An edge of CHART_AROUND that is not one line of the chart: cut at the diagonals, at zones, or right below the eye. */
 int edges_clip_around(edges_t *e, edges_place_t p, edges_place_t q);
+/* The part [s0, s1] of an edge or a segment of CHART_AROUND that lies in one sector. */
+int edges_clip_in_sector(edges_t *e, edges_place_t a, edges_place_t b, int32_t s0, int32_t s1);
 /* Clips a line against horizons and windows; a bare one leaves windows between it and the horizons. */
 int edges_clip_windowed(edges_t *e, pencil_t p0, pencil_t p1);
 

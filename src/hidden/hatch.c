@@ -40,37 +40,43 @@ int32_t hatch_lines(const hatch_t *h) {
     return 2 * (2 * h->half + 1);
 }
 
-typedef struct place {
-    int64_t u, w;
-} place_t;
-
-static place_t place_of(const hatch_t *h, bool second, poly_point_t p) {
+hatch_place_t hatch_place(const hatch_t *h, bool second, poly_point_t p) {
     int64_t x = p.x - ((int64_t)h->middle.x_lat << h->bits), y = p.y - ((int64_t)h->middle.y_lat << h->bits);
     int64_t c = second ? -h->sin_q30 : h->cos_q30, s = second ? h->cos_q30 : h->sin_q30;
-    return (place_t){c * x + s * y, c * y - s * x};
+    return (hatch_place_t){c * x + s * y, c * y - s * x};
 }
 
-static int64_t line_at(const hatch_t *h, int32_t k) {
+int64_t hatch_line_at(const hatch_t *h, int32_t k) {
     return (int64_t)k * h->pitch_lat * ((int64_t)1 << (h->bits + 30));
 }
 
-/* Where line k crosses the borders, sorted, as parameters. A vertex on the line belongs to the side below it. Returns
- * how many, or ERR_FULL. */
-static int32_t crossings(const hatch_t *h, bool second, const poly_t *p, int32_t k, int32_t t[CROSSINGS]) {
-    int64_t at = line_at(h, k), reach = (int64_t)h->reach_lat << (h->bits + 30);
+int32_t hatch_number(const hatch_t *h, bool second, int32_t k) {
+    return k + h->half + (second ? 2 * h->half + 1 : 0);
+}
+
+bool hatch_cross(const hatch_t *h, hatch_place_t a, hatch_place_t b, int64_t at, int32_t *t_q30, int32_t *part_q30) {
+    if ((a.w > at) == (b.w > at)) return false;
+    const int64_t reach = (int64_t)h->reach_lat << (h->bits + 30), to = at / 2 - a.w / 2, all = b.w / 2 - a.w / 2;
+    int64_t u = a.u / 2 + ints_muldiv_round(b.u / 2 - a.u / 2, to, all);
+    int64_t q = ints_muldiv_round(u + reach / 2, INK_ONE, reach);
+    *t_q30 = (int32_t)(q < 0 ? 0 : q > INK_ONE ? INK_ONE : q);
+    if (part_q30) *part_q30 = (int32_t)ints_muldiv_round(INK_ONE, to, all);
+    return true;
+}
+
+/* Where a line crosses the borders, sorted, as parameters. Returns how many, or ERR_FULL. */
+static int32_t crossings(const hatch_t *h, bool second, const poly_t *p, int64_t at, int32_t t[CROSSINGS]) {
     int32_t n = 0;
     for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++]) {
-        place_t a = place_of(h, second, p->v[p->end[c] - 1].at);
+        hatch_place_t a = hatch_place(h, second, p->v[p->end[c] - 1].at);
         for (int32_t i = first; i < p->end[c]; i++) {
-            place_t b = place_of(h, second, p->v[i].at);
-            if ((a.w > at) != (b.w > at)) {
+            hatch_place_t b = hatch_place(h, second, p->v[i].at);
+            int32_t q;
+            if (hatch_cross(h, a, b, at, &q, NULL)) {
                 if (n == CROSSINGS) return ERR_FULL;
-                int64_t u = a.u / 2 + ints_muldiv_round(b.u / 2 - a.u / 2, at / 2 - a.w / 2, b.w / 2 - a.w / 2);
-                int64_t q = ints_muldiv_round(u + reach / 2, INK_ONE, reach);
-                q = q < 0 ? 0 : q > INK_ONE ? INK_ONE : q;
                 int32_t j = n++;
                 for (; j > 0 && t[j - 1] > q; j--) t[j] = t[j - 1];
-                t[j] = (int32_t)q;
+                t[j] = q;
             }
             a = b;
         }
@@ -78,27 +84,26 @@ static int32_t crossings(const hatch_t *h, bool second, const poly_t *p, int32_t
     return n;
 }
 
-/* The numbers of the lines that may cross the polygon. */
-static void range_of(const hatch_t *h, bool second, const poly_t *p, int32_t *lo, int32_t *hi) {
-    int64_t pitch = line_at(h, 1), low = INT64_MAX, high = INT64_MIN;
-    for (int32_t i = 0; i < poly_vertices(p); i++) {
-        int64_t w = place_of(h, second, p->v[i].at).w;
-        low = w < low ? w : low;
-        high = w > high ? w : high;
-    }
+void hatch_range(const hatch_t *h, int64_t low, int64_t high, int32_t *lo, int32_t *hi) {
+    const int64_t pitch = hatch_line_at(h, 1);
     *lo = (int32_t)(low / pitch) - 1;
     *hi = (int32_t)(high / pitch) + 1;
     if (*lo < -h->half) *lo = -h->half;
     if (*hi > h->half) *hi = h->half;
 }
 
-/* Every line whose number is a multiple of `each`, a power of two. */
-static int add_family(const hatch_t *h, const poly_t *p, bool second, int32_t each, int32_t first, intervals_t *to) {
+static int add_family(const hatch_t *h, const poly_t *p, bool second, int32_t step, int32_t first, intervals_t *to) {
     int32_t lo, hi, t[CROSSINGS];
-    range_of(h, second, p, &lo, &hi);
+    int64_t low = INT64_MAX, high = INT64_MIN;
+    for (int32_t i = 0; i < poly_vertices(p); i++) {
+        int64_t w = hatch_place(h, second, p->v[i].at).w;
+        low = w < low ? w : low;
+        high = w > high ? w : high;
+    }
+    hatch_range(h, low, high, &lo, &hi);
     for (int32_t k = lo; k <= hi; k++) {
-        if (k & (each - 1)) continue;
-        int32_t n = crossings(h, second, p, k, t), line = first + k + h->half + (second ? 2 * h->half + 1 : 0);
+        if (k & (step - 1)) continue;
+        int32_t n = crossings(h, second, p, hatch_line_at(h, k), t), line = first + hatch_number(h, second, k);
         if (n < 0) return n;
         for (int32_t i = 0; i + 1 < n; i += 2) {
             int err = intervals_add(to, line, t[i], t[i + 1]);
@@ -109,7 +114,10 @@ static int add_family(const hatch_t *h, const poly_t *p, bool second, int32_t ea
 }
 
 int hatch_polygon(const hatch_t *h, const poly_t *p, enum hatch_tone tone, int32_t first, intervals_t *to) {
-    if (tone == HATCH_NONE || p->contours == 0) return 0;
-    int err = add_family(h, p, false, tone == HATCH_FAINT ? 4 : tone == HATCH_LIGHT ? 2 : 1, first, to);
-    return err || tone < HATCH_DEEP ? err : add_family(h, p, true, tone == HATCH_DEEP ? 2 : 1, first, to);
+    int err = 0;
+    for (int second = 0; second < 2 && !err && p->contours; second++) {
+        int32_t step = hatch_step(tone, second);
+        if (step) err = add_family(h, p, second, step, first, to);
+    }
+    return err;
 }

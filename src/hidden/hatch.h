@@ -46,6 +46,27 @@ typedef struct hatch {
 void hatch_setup(hatch_t *h, const page_window_t *window, num_t degrees, int32_t pitch_lat);
 /* How many lines there are, both families. */
 int32_t hatch_lines(const hatch_t *h);
+/* Which lines of a family a tone has: every so-manieth, a power of two; 0: none. */
+static inline int32_t hatch_step(enum hatch_tone tone, bool second) {
+    static const uint8_t step[2][HATCH_DARK + 1] = {{0, 4, 2, 1, 1, 1}, {0, 0, 0, 0, 2, 1}};
+    return step[second][tone];
+}
+
+/* A place along (u) and across (w) a family. */
+typedef struct hatch_place {
+    int64_t u, w;
+} hatch_place_t;
+
+hatch_place_t hatch_place(const hatch_t *h, bool second, poly_point_t p);
+/* The w of line k. */
+int64_t hatch_line_at(const hatch_t *h, int32_t k);
+/* The lines that places with these least and greatest w may lie around: *lo to *hi. */
+void hatch_range(const hatch_t *h, int64_t low, int64_t high, int32_t *lo, int32_t *hi);
+/* The number of line k of a family in h->lines. */
+int32_t hatch_number(const hatch_t *h, bool second, int32_t k);
+/* Where line `at` crosses an edge from a to b: its parameter there. *part: of the way from a to b. False: nowhere. A
+ * vertex on the line belongs to the side below it. */
+bool hatch_cross(const hatch_t *h, hatch_place_t a, hatch_place_t b, int64_t at, int32_t *t_q30, int32_t *part_q30);
 /* Adds the parts of hatch lines inside a polygon (even-odd) that give it this tone; line numbers count from `first`.
  * Returns 0 or ERR_FULL. Cost: lines across the polygon times its edges. */
 int hatch_polygon(const hatch_t *h, const poly_t *p, enum hatch_tone tone, int32_t first, intervals_t *to);

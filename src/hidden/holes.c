@@ -78,7 +78,8 @@ static int cell(sweep_t *s, int32_t i, int far, bool fresh) {
     h->skip_upper = h->skip_lower = false;
     if (!side_present(l, i)) return 0;
     s->facets++;
-    int err = clip_bare(s, l, i, side_near_edges(c, i, far, fresh));
+    int err = sweep_shade(s, l, i);
+    if (err == 0) err = clip_bare(s, l, i, side_near_edges(c, i, far, fresh));
     if (err != 0) return err;
     if (fresh || i == c->i0) return facet(s, l, i, l->seen);
     return corner_facet(s, l, i, far, i > c->i0);

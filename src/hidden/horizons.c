@@ -76,6 +76,7 @@ int horizons_look(horizons_t *h, pencil_t p0, pencil_t p1) {
     h->flip = p1.a < p0.a;
     h->whole = false;
     pencil_t l = h->flip ? p1 : p0, r = h->flip ? p0 : p1;
+    if (envelope_vertical(l, r)) return clip_vertical(h, l, r);
     int n = h->has_upper ? envelope_look(&h->upper, l, r, take_upper, h, &h->count) : 0;
     if (n < 0 || !h->has_lower || h->whole) return n < 0 ? n : 0;
     l.w = -l.w, r.w = -r.w;

@@ -27,7 +27,7 @@ int horizons_init(horizons_t *h, bool upper, bool lower, pencil_t *pool, size_t 
  * of the page are drawn once; otherwise where both sides do. Returns 0, ERR_FULL, or take's error. */
 int horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1);
 
-/* Takes what is visible of a line that is not vertical; the horizons stay as they are. */
+/* Takes what is visible of a line; the horizons stay as they are. */
 int horizons_look(horizons_t *h, pencil_t p0, pencil_t p1);
 
 /* Raises the horizons by a line, l.a < r.a, whose visible parts are known. */

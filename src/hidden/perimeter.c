@@ -9,6 +9,7 @@
 #include "hidden/cells.h"
 #include "hidden/corner.h"
 #include "hidden/holes.h"
+#include "hidden/shaded.h"
 
 /* Two of its edges are new, the column `out` and the row `far`. */
 static int corner_facet(sweep_t *s, int32_t i, int far, bool rightward) {
@@ -63,12 +64,15 @@ static int facets_row(sweep_t *s, int far, bool fresh) {
     const chart_t *c = &s->edges.chart;
     const int32_t nx = c->grid->nx, i0 = c->i0;
     s->edges.horizons.skip_upper = s->edges.horizons.skip_lower = false;
-    int err = outer_facet(s, i0, -1, far, fresh);
+    int err = sweep_shade(s, s->layer, i0);
+    if (err == 0) err = outer_facet(s, i0, -1, far, fresh);
     for (int32_t i = i0 + 1; i < nx - 1 && err == 0; i++) {
-        err = fresh ? outer_facet(s, i, i, far, true) : corner_facet(s, i, far, true);
+        err = sweep_shade(s, s->layer, i);
+        if (err == 0) err = fresh ? outer_facet(s, i, i, far, true) : corner_facet(s, i, far, true);
     }
     for (int32_t i = i0 - 1; i >= 0 && err == 0; i--) {
-        err = fresh ? outer_facet(s, i, i + 1, far, true) : corner_facet(s, i, far, false);
+        err = sweep_shade(s, s->layer, i);
+        if (err == 0) err = fresh ? outer_facet(s, i, i + 1, far, true) : corner_facet(s, i, far, false);
     }
     s->facets += nx - 1;
     return err;
@@ -90,8 +94,8 @@ static bool same_points(const grid_t *a, const grid_t *b) {
     return true;
 }
 
-int perimeter_draw_several(grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
-                           hidden_stats_t *stats) {
+static int draw(grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job, struct shaded *shaded,
+                hidden_stats_t *stats) {
     sweep_t s = {0};
     int64_t evaluated = 0;
     const bool several = n > 1 && CONFIG_PLOT_ITEMS > 1; /* else it need not be there */
@@ -107,6 +111,11 @@ int perimeter_draw_several(grid_t *const grid[], int32_t n, const camera_t *cam,
     do {
         s = (sweep_t){0};
         err = sweep_init(&s, grid, n, cam, job, cover, turn);
+#if CONFIG_AREA
+        s.shaded = shaded;
+#else
+        (void)shaded;
+#endif
         if (err == 0) err = sweep_all(&s, job, row);
         if (s.layer != NULL) sweep_account(&s, stats);
         turn = -s.turn;
@@ -115,6 +124,21 @@ int perimeter_draw_several(grid_t *const grid[], int32_t n, const camera_t *cam,
     stats->evaluated = evaluated;
     return err;
 }
+
+int perimeter_draw_several(grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
+                           hidden_stats_t *stats) {
+    return draw(grid, n, cam, job, NULL, stats);
+}
+
+#if CONFIG_AREA
+int perimeter_draw_shaded(grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
+                          struct shaded *shaded, hidden_stats_t *stats) {
+    int err = draw(grid, n, cam, job, shaded, stats);
+    if (err == 0) err = shaded_finish(shaded);
+    stats->pieces += shaded->pieces;
+    return err;
+}
+#endif
 
 int perimeter_draw(grid_t *g, const camera_t *cam, const hidden_job_t *job, hidden_stats_t *stats) {
     return perimeter_draw_several(&g, 1, cam, job, stats);

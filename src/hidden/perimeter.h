@@ -7,6 +7,7 @@
 #ifndef PERIMETER_H
 #define PERIMETER_H
 
+#include "config.h"
 #include "hidden/hidden.h"
 #include "scene/grid.h"
 #include "view/camera.h"
@@ -25,6 +26,13 @@ int perimeter_draw(grid_t *g, const camera_t *cam, const hidden_job_t *job, hidd
  * differ. */
 int perimeter_draw_several(grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
                            hidden_stats_t *stats);
+
+#if CONFIG_AREA
+struct shaded;
+/* The same, and hatches what is visible of the facets (shaded.h). */
+int perimeter_draw_shaded(grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
+                          struct shaded *shaded, hidden_stats_t *stats);
+#endif
 
 /* Memory for nx columns and `vertices` horizon vertices (both horizons together). 4 (nx + ny) vertices are enough
  * for smooth surfaces, 10 (nx + ny) for random ones as large as 200 x 200. */

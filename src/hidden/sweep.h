@@ -10,6 +10,7 @@
 #ifndef SWEEP_H
 #define SWEEP_H
 
+#include "config.h"
 #include "hidden/edges.h"
 #include "hidden/hidden.h"
 
@@ -44,6 +45,9 @@ typedef struct sweep {
     enum facet_kind last; /* of the corner facet before */
     shade_t *shade;       /* what other surfaces hide of a vertical edge: two for each */
     int turn;
+#if CONFIG_AREA
+    struct shaded *shaded; /* hatches visible facets, or NULL (shaded.h) */
+#endif
     int64_t facets;
     size_t fixed; /* bytes of lent memory before the horizons */
 } sweep_t;
@@ -66,6 +70,21 @@ int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row);
 
 /* Adds what the sweep took to stats, zero before the first sweep; evaluated is the caller's. */
 void sweep_account(const sweep_t *s, hidden_stats_t *stats);
+
+#if CONFIG_AREA
+struct shaded;
+struct sweep;
+int shaded_facet(struct shaded *s, struct sweep *sweep, const layer_t *l, int32_t i);
+#endif
+
+/* A facet's turn comes: before its edges cover. Returns 0 or an error. */
+static inline int sweep_shade(sweep_t *s, const layer_t *l, int32_t i) {
+#if CONFIG_AREA
+    if (s->shaded != NULL) return shaded_facet(s->shaded, s, l, i);
+#endif
+    (void)s, (void)l, (void)i;
+    return 0;
+}
 
 /* An edge of a layer. */
 static inline int sweep_column_edge(sweep_t *s, layer_t *l, int32_t i) {

@@ -57,8 +57,9 @@ static const topic_t topics[] = {
      "unset hidden3d                       every line is drawn\n"},
 #if CONFIG_AREA
     {"hatch",
-     "set hatch ANGLE,PITCH: solids of set hidden3d area are hatched by their slope to the light, lines PITCH mm (1)\n"
-     "apart at ANGLE degrees; in shadow crosswise. unset hatch: lines only. See light, shadow.\n"},
+     "set hatch ANGLE,PITCH: surfaces, and solids of set hidden3d area, are hatched by the light they get, lines "
+     "PITCH\n"
+     "mm (1) apart at ANGLE degrees, crosswise where there is none. unset hatch: lines only. See light, shadow.\n"},
     {"pen",
      "set pen N; set pen [silhouette N] [crease N] [hidden N] [hatch N] [shadow N] [detail N]: which pen, 1 to 8,\n"
      "draws what; crease: all edges that are no silhouettes, and grids. Each pen is taken once; a plotter with one\n"
@@ -66,8 +67,9 @@ static const topic_t topics[] = {
     {"crease",
      "set crease A: edges of solids between faces that meet at less than A degrees only where they are outlines.\n"
      "See set hidden3d ... outline.\n"},
-    {"light", "set light X,Y,Z: the direction to the light, in the units of the data (-1,-2,3). See hatch.\n"},
-    {"shadow", "set shadow [on|off]: solids cast shadows, which set hatch shows.\n"},
+    {"light", "set light [N] X,Y,Z: the direction to light N, 1 to 4, in the units of the data (1 -1,-2,3).\n"
+              "set light [N] from X,Y,Z: a lamp at a place. unset light [N]. See hatch, shadow.\n"},
+    {"shadow", "set shadow [on|off|outline]: solids cast shadows, which set hatch shows; outline: with borders.\n"},
 #endif
     {"halo",
      "set halo W [ends]: with set hidden3d halo, a line is interrupted for W mm to either side of a nearer one (0.5).\n"

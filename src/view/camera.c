@@ -89,6 +89,9 @@ static int setup_rotation(camera_t *cam, const settings_t *s, const view_box_t *
     if (s->view.equal < 3) unit[Z] = num_mul(unit[Z], s->view.zscale); /* gnuplot's xyz leaves zscale out */
     if (num_sign(unit[Z]) == 0 || unit[Z].undef) return ERR_VALUE;
 
+#if CONFIG_AREA
+    for (int k = 0; k < 3; k++) cam->unit[k] = unit[k];
+#endif
     const num_t right[3] = {num_mul(cz, unit[X]), num_mul(sz, unit[Y]), num_from_i64(0)};
     const num_t up[3] = {num_neg(num_mul(num_mul(sz, cx), unit[X])), num_mul(num_mul(cz, cx), unit[Y]),
                          num_mul(sx, unit[Z])};
@@ -217,6 +220,9 @@ int camera_flat(camera_t *cam, const settings_t *s, const num_t lo[2], const num
 
 int camera_setup(camera_t *cam, const settings_t *s, const view_box_t *box) {
     *cam = (camera_t){.perspective = s->view.from};
+#if CONFIG_AREA
+    for (int k = 0; k < 3; k++) cam->unit[k] = num_from_i64(1);
+#endif
     int err = window_setup(&cam->window, s);
     if (err) return err;
     err = s->view.from ? setup_perspective(cam, s, box) : setup_rotation(cam, s, box);

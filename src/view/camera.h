@@ -34,6 +34,9 @@ typedef struct camera {
     /* What hidden-line kernels need: the eye, or for a parallel view the direction from the scene to the eye
      * (unnormalised). Visibility depends on nothing else. */
     num_t eye[3];
+#if CONFIG_AREA
+    num_t unit[3]; /* the sides of the cube above count 2; what one of the world counts in them. From ... to: 1 */
+#endif
     page_window_t window;
 } camera_t;
 

@@ -112,6 +112,28 @@ ridgeline_lamp() {
     ridgeline plot lamp.gp -o lamp.svg 2>ink.err
 }
 
+# Seen from straight above, what is lit from the side by a plane z = x has one tone, by arithmetic.
+surfaces_are_shaded() {
+    # strokes PEN COMMANDS EXPRESSION
+    strokes() {
+        printf 'set isosamples 9\nset xrange [0:1]\nset yrange [0:1]\nset zrange [-1:1]\n%s\nsplot %s\n' "$2" "$3" >shade.gp
+        ridgeline plot shade.gp -o shade.seg 2>ink.err || { cat ink.err; return 1; }
+        awk -v want="$1" 'BEGIN { pen = 1 } /^# pen/ { pen = $3 } /^#/ { next }
+            NF == 4 && (want == 0 || want == pen) { s += sqrt(($3 - $1) ^ 2 + ($4 - $2) ^ 2) } END { printf "%.3f", s }' shade.seg
+    }
+    view='set view 0,0; set hatch 30,0.5; set pen hatch 2; set border 0; unset tics'
+    area=$(strokes 2 "$view; set light 0,0,-1" x*0 | awk '{ print $1 / 4 }') # both families: 4 mm to the square millimetre
+    for case in 0,0,1:0 1,0,1:0.5 5,0,4:1 2,0,1:2 5,0,1:3 1,0,0:4; do
+        got=$(strokes 2 "$view; set light ${case%:*}" x*0)
+        awk -v a="$got" -v b="$area" -v k="${case#*:}" 'BEGIN { exit !((a - k * b) ^ 2 <= (.01 * b) ^ 2) }' || { echo "light ${case%:*}: $got, area $area"; return 1; }
+    done
+    # nothing but the border, and all of the grid
+    ratio "$(strokes 1 "$view; set hidden3d outline" x*0)" "$(strokes 1 "$view" x*0)" 4 18
+    echo "# test_tone: a flat surface of $area mm^2 in six tones"
+    # with a hole the hatching has one too
+    awk -v a="$(strokes 2 "$view; set light 0,0,-1" '(x-.5)**2+(y-.5)**2 < .01 ? NaN : 0')" -v b="$area" 'BEGIN { exit !((a - b * 4 * 60 / 64) ^ 2 < (.01 * b) ^ 2) }'
+}
+
 settings_are_answered() {
     printf 'show pen\nset pen 3\nshow pen\nset pen hatch 2, shadow 8\nshow pen\nset crease 30.5\nshow crease\nset hidden3d area outline\nshow hidden3d\n' >show.gp
     printf 'unset pen\nunset crease\nset hidden3d area silhouette\nshow pen\nshow crease\nunset hidden3d\nset hidden3d area\nshow hidden3d\nhelp pen\nhelp crease\n' >>show.gp
@@ -128,4 +150,4 @@ settings_are_answered() {
     done
 }
 
-run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own shadows_overlap lamps_cast_shadows_too settings_are_answered
+run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own shadows_overlap lamps_cast_shadows_too surfaces_are_shaded settings_are_answered

@@ -1,0 +1,413 @@
+/* shaded.c - see shaded.h. */
+#include "hidden/shaded.h"
+
+#include "config.h"
+#include "error.h"
+#include "hidden/sweep.h"
+#include "num/ints.h"
+
+#if CONFIG_AREA
+
+#define ONE_Q30 (INT32_C(1) << 30)
+#define LEAST_LAT (LAT_PER_MM / 10) /* shorter parts are dots, shorter gaps rounding */
+
+/* ---- lights ---- */
+
+static bool make_unit(num_t v[3]) {
+    num_t sum = num_from_i64(0);
+    for (int k = 0; k < 3; k++) sum = num_add(sum, num_mul(v[k], v[k]));
+    num_t length = num_sqrt(sum);
+    if (length.undef || num_sign(length) == 0) return false;
+    for (int k = 0; k < 3; k++) v[k] = num_div(v[k], length);
+    return true;
+}
+
+/* All lights together on a facet that is turned squarely to them: at least as much as one. */
+static void weigh_lights(shaded_t *s) {
+    num_t sum[3], length2 = num_from_i64(0), one = num_from_i64(1);
+    for (int k = 0; k < 3; k++) sum[k] = num_from_i64(0);
+    for (int32_t l = 0; l < s->lights; l++) {
+        for (int k = 0; k < 3; k++) s->to[l][k] = s->light[l].at[k];
+        make_unit(s->to[l]);
+        for (int k = 0; k < 3; k++) sum[k] = num_add(sum[k], s->to[l][k]);
+    }
+    for (int k = 0; k < 3; k++) length2 = num_add(length2, num_mul(sum[k], sum[k]));
+    if (num_cmp(length2, one) < 0) length2 = one;
+    s->full_q30 = num_to_fixed(num_sqrt(length2), 30, NULL);
+}
+
+/* What a facet gets, as a share of the most, on the side that runs counter-clockwise (turn: the other one). */
+static int64_t brightness(const shaded_t *s, const grid_t *g, int32_t i, int32_t j, const shaded_vertex_t *v[4],
+                          bool turn) {
+    const surface_t *f = g->src;
+    const num_t *unit = s->cam->unit;
+    num_t x = num_mul(unit[0], num_sub(f->x_of(f->ctx, i + 1), f->x_of(f->ctx, i)));
+    num_t y = num_mul(unit[1], num_sub(f->y_of(f->ctx, j + 1), f->y_of(f->ctx, j)));
+    num_t a = num_mul(unit[2], num_ldexp(num_from_i64((int64_t)v[2]->z - v[0]->z), g->z_exp));
+    num_t b = num_mul(unit[2], num_ldexp(num_from_i64((int64_t)v[3]->z - v[1]->z), g->z_exp));
+    /* diagonals (x, y, a) and (-x, y, b) */
+    num_t n[3] = {num_mul(y, num_sub(b, a)), num_neg(num_mul(x, num_add(a, b))), num_ldexp(num_mul(x, y), 1)};
+    if (!make_unit(n)) return 0;
+    int64_t sum = 0;
+    for (int32_t l = 0; l < s->lights; l++) {
+        num_t to[3], cosine = num_from_i64(0);
+        for (int k = 0; k < 3; k++) to[k] = s->to[l][k];
+        if (s->light[l].point) {
+            num_t z = num_add(g->z_origin, num_ldexp(num_from_i64(v[0]->z), g->z_exp));
+            const num_t at[3] = {f->x_of(f->ctx, i), f->y_of(f->ctx, j), z};
+            for (int k = 0; k < 3; k++) to[k] = num_mul(unit[k], num_sub(s->light[l].at[k], at[k]));
+            if (!make_unit(to)) continue;
+        }
+        for (int k = 0; k < 3; k++) cosine = num_add(cosine, num_mul(n[k], to[k]));
+        int64_t q30 = num_to_fixed(cosine, 30, NULL);
+        if (turn) q30 = -q30;
+        sum += q30 > 0 ? q30 : 0;
+    }
+    return ints_muldiv_round(sum, INK_ONE, s->full_q30);
+}
+
+/* ---- rows ---- */
+
+size_t shaded_bytes(int32_t nx, int32_t surfaces) {
+    return (size_t)surfaces * 2 * ((size_t)nx * sizeof(shaded_vertex_t) + sizeof(int32_t)) + 16;
+}
+
+int shaded_init(shaded_t *s, int32_t nx, int32_t surfaces, void *mem, size_t bytes) {
+    const size_t rows = (size_t)surfaces * 2, fixed = shaded_bytes(nx, surfaces);
+    if (bytes < fixed + 16 * sizeof(interval_t)) return ERR_FULL;
+    s->nx = nx;
+    s->row = mem;
+    s->row_j = (int32_t *)(void *)(s->row + rows * (size_t)nx);
+    for (size_t k = 0; k < rows; k++) s->row_j[k] = -1;
+    intervals_init(&s->parts, (uint8_t *)mem + fixed, bytes - fixed);
+    weigh_lights(s);
+    return 0;
+}
+
+static const shaded_vertex_t *row_of(shaded_t *s, const layer_t *l, int32_t j) {
+    const int32_t n = 2 * l->surface + (j & 1);
+    shaded_vertex_t *row = s->row + (size_t)n * (size_t)s->nx;
+    const line_space_t *space = &s->lines[l->surface];
+    if (s->row_j[n] == j) return row;
+    for (int32_t i = 0; i < s->nx; i++) {
+        shaded_vertex_t *v = &row[i];
+        v->good = grid_height(l->grid, i, j, &v->z) && space->at(space->ctx, INK_ROW, j, i * INK_ONE, &v->h);
+        if (!space->perspective) v->h.e = (int64_t)1 << space->frac_bits;
+        if (v->good && v->h.e < space->near_e) v->good = false;
+    }
+    s->row_j[n] = j;
+    return row;
+}
+
+/* ---- a facet ---- */
+
+/* 3--2
+ * |  |   the line between the rows j and j + 1, sides from the corner with the smaller index: 0-1, 1-2, 3-2, 0-3
+ * 0--1 */
+typedef struct other {
+    const layer_t *layer;
+    int64_t above[4]; /* how far above the facet at its corners, in some unit */
+    bool upper;       /* its upper side is seen: it hides what it is above of */
+} other_t;
+
+typedef struct facet {
+    const shaded_vertex_t *v[4];
+    poly_point_t page[4];
+    hatch_place_t place[4]; /* along the family at hand */
+    pencil_t at[4];
+    uint32_t g[4];
+    int32_t x[4], y[4];
+    int64_t z[4];
+    bool around;
+    /* Other surfaces' facets over the same cell. */
+    other_t other[CONFIG_PLOT_ITEMS];
+    int32_t others;
+} facet_t;
+
+static const uint8_t side_end[4][2] = {{0, 1}, {1, 2}, {3, 2}, {0, 3}};
+
+/* The corners on the page. False if one is off by more than the hatching's lattice takes: far off the paper. */
+static bool place_corners(const shaded_t *s, const shaded_vertex_t *const v[4], poly_point_t page[4]) {
+    const int64_t one = (int64_t)1 << s->hatch->bits;
+    for (int k = 0; k < 4; k++) {
+        const page_h_t *h = &v[k]->h;
+        if (!v[k]->good) return false;
+        int64_t x = ints_muldiv_round(h->x, one, h->e), y = ints_muldiv_round(h->y, one, h->e);
+        if (x > POLY_LIMIT || x < -POLY_LIMIT || y > POLY_LIMIT || y < -POLY_LIMIT) return false;
+        page[k] = (poly_point_t){(int32_t)x, (int32_t)y};
+    }
+    return true;
+}
+
+static int64_t area_of(const poly_point_t p[4]) {
+    return poly_orient(p[0], p[1], p[2]) + poly_orient(p[0], p[2], p[3]);
+}
+
+/* Does a facet that runs round the page so show its upper side? */
+static bool shows_upper(const shaded_t *s, int64_t area2) {
+    const num_t *unit = s->cam->unit;
+    return (area2 > 0) != (num_sign(unit[0]) * num_sign(unit[1]) * num_sign(unit[2]) < 0);
+}
+
+static void chart_facet(facet_t *f, const chart_t *c, const layer_t *l, int32_t i) {
+    f->around = c->kind == CHART_AROUND;
+    for (int k = 0; k < 4; k++) {
+        const int32_t col = i + (k == 1 || k == 2);
+        const chart_line_t *line = &l->line[k >= 2];
+        f->at[k] = line->at[col];
+        f->g[k] = c->kind == CHART_NORTH ? line->r : c->kind == CHART_EAST ? c->column[col].r : 1;
+        if (!f->around) continue;
+        f->x[k] = c->column[col].p;
+        f->y[k] = line->dy;
+        f->z[k] = line->z[col];
+    }
+}
+
+static void find_others(shaded_t *s, facet_t *f, const sweep_t *sw, const layer_t *l, int32_t i) {
+    uint32_t most = 1;
+    for (int k = 0; k < 4; k++) most = f->g[k] > most ? f->g[k] : most;
+    for (int32_t m = 0; m < sw->layers && sw->layers > 1; m++) {
+        const layer_t *o = &sw->layer[m];
+        if (o == l || !o->present) continue;
+        other_t *other = &f->other[f->others++];
+        const shaded_vertex_t *row[2] = {row_of(s, o, o->line[0].j), row_of(s, o, o->line[1].j)};
+        const shaded_vertex_t *const v[4] = {&row[0][i], &row[0][i + 1], &row[1][i + 1], &row[1][i]};
+        poly_point_t page[4];
+        other->layer = o;
+        other->upper = place_corners(s, v, page) && shows_upper(s, area_of(page));
+        for (int k = 0; k < 4; k++) {
+            const int32_t col = i + (k == 1 || k == 2);
+            const chart_line_t *line = &o->line[k >= 2];
+            other->above[k] = f->around ? line->z[col] - f->z[k]
+                                        : ints_muldiv_round((int64_t)line->at[col].w - f->at[k].w, most, f->g[k]);
+        }
+    }
+}
+
+/* Is all of it behind what is covered? */
+static bool is_hidden(const sweep_t *sw, const facet_t *f) {
+    horizons_t *h = (horizons_t *)(uintptr_t)&sw->edges.horizons;
+    pencil_t lo = f->at[0], hi = lo;
+    if (sw->edges.chart.kind > CHART_EAST || sw->edges.cover != COVER_HORIZONS) return false;
+    for (int k = 1; k < 4; k++) {
+        lo = (pencil_t){pencil_min(lo.a, f->at[k].a), pencil_min(lo.w, f->at[k].w)};
+        hi = (pencil_t){pencil_max(hi.a, f->at[k].a), pencil_max(hi.w, f->at[k].w)};
+    }
+    return (!h->has_upper || envelope_hides(&h->upper, lo.a, hi.a, hi.w)) &&
+           (!h->has_lower || envelope_hides(&h->lower, lo.a, hi.a, -lo.w));
+}
+
+/* One end of a line across a facet. */
+typedef struct crossing {
+    int32_t t_q30; /* on the hatch line */
+    int side;
+    int32_t part_q30; /* of the side, on the page */
+} crossing_t;
+
+/* Share of the way in space for a share of the way on the page, between depths e0 and e1; and back with these the other
+ * way round. */
+static int32_t share_of(int32_t part_q30, int64_t e0, int64_t e1) {
+    if (part_q30 == 0 || part_q30 == ONE_Q30 || e0 == e1) return part_q30;
+    int shift = 64 - ints_clz64((uint64_t)(e0 | e1)) - 31;
+    if (shift > 0) e0 >>= shift, e1 >>= shift;
+    int64_t a = part_q30 * e0, b = (ONE_Q30 - part_q30) * e1;
+    return a + b == 0 ? 0 : (int32_t)ints_muldiv_round(INK_ONE, a, a + b);
+}
+
+typedef struct stretch {
+    shaded_t *s;
+    int32_t line, t_q30[2];
+    int64_t e[2];
+    int64_t above[2][CONFIG_PLOT_ITEMS]; /* of the others */
+} stretch_t;
+
+static int flush(shaded_t *s);
+
+static int add_part(shaded_t *s, int32_t line, int32_t from, int32_t to) {
+    int err = intervals_add(&s->parts, line, from, to);
+    if (err != ERR_FULL) return err;
+    err = flush(s);
+    return err ? err : intervals_add(&s->parts, line, from, to);
+}
+
+/* The parameter of the hatch line at a share of the stretch in space. */
+static int32_t line_at(const stretch_t *k, int32_t share_q30) {
+    int32_t part = share_of(share_q30, k->e[1], k->e[0]);
+    if (part == ONE_Q30) return k->t_q30[1];
+    return k->t_q30[0] + (int32_t)(((int64_t)k->t_q30[1] - k->t_q30[0]) * part >> 30);
+}
+
+/* A visible part, in space. */
+static int take_part(void *ctx, const ink_piece_t *p) {
+    const stretch_t *k = ctx;
+    return add_part(k->s, k->line, line_at(k, (int32_t)p->from_q30), line_at(k, (int32_t)p->to_q30));
+}
+
+static int32_t mix32(int32_t a, int32_t b, int32_t share_q30) {
+    return a + (int32_t)(((int64_t)b - a) * share_q30 >> 30);
+}
+
+/* Puts end n of a segment where a side of the facet is crossed. */
+static void put_end(const facet_t *f, const crossing_t *c, edges_segment_t *seg, stretch_t *k, int n) {
+    const int a = side_end[c->side][0], b = side_end[c->side][1];
+    const int64_t ea = f->v[a]->h.e, eb = f->v[b]->h.e;
+    const int32_t share = share_of(c->part_q30, ea, eb);
+    if (f->around) {
+        seg->x[n] = mix32(f->x[a], f->x[b], share);
+        seg->y[n] = mix32(f->y[a], f->y[b], share);
+        seg->z[n] = edges_mix(f->z[a], f->z[b], share);
+    } else {
+        const int64_t ga = f->g[a], gb = f->g[b];
+        const int32_t u = share_of(share, ga, gb);
+        seg->at[n] = (pencil_t){mix32(f->at[a].a, f->at[b].a, u), mix32(f->at[a].w, f->at[b].w, u)};
+        const int64_t d = edges_mix(gb, ga, share); /* 1 / g is linear in space */
+        seg->g[n] = ga == gb ? (uint32_t)ga : (uint32_t)ints_muldiv_round(ga, gb, d ? d : 1);
+    }
+    k->e[n] = ea + ints_muldiv_round(eb - ea, share, INK_ONE);
+    k->t_q30[n] = c->t_q30;
+    for (int32_t m = 0; m < f->others; m++)
+        k->above[n][m] = edges_mix(f->other[m].above[a], f->other[m].above[b], share);
+}
+
+/* The part [from, to] of a segment, as one of its own. */
+static edges_segment_t part_of(const edges_segment_t *seg, bool around, int32_t from_q30, int32_t to_q30) {
+    edges_segment_t part = *seg;
+    for (int n = 0; n < 2; n++) {
+        const int32_t share = n ? to_q30 : from_q30;
+        if (around) {
+            part.x[n] = mix32(seg->x[0], seg->x[1], share);
+            part.y[n] = mix32(seg->y[0], seg->y[1], share);
+            part.z[n] = edges_mix(seg->z[0], seg->z[1], share);
+            continue;
+        }
+        const int64_t g0 = seg->g[0], g1 = seg->g[1], d = edges_mix(g1, g0, share);
+        const int32_t u = share_of(share, g0, g1);
+        part.at[n] = (pencil_t){mix32(seg->at[0].a, seg->at[1].a, u), mix32(seg->at[0].w, seg->at[1].w, u)};
+        part.g[n] = g0 == g1 ? (uint32_t)g0 : (uint32_t)ints_muldiv_round(g0, g1, d ? d : 1);
+    }
+    return part;
+}
+
+/* A part in which the others keep their sides. */
+static int look_at_part(sweep_t *sw, const facet_t *f, const edges_segment_t *seg, const stretch_t *k, int32_t from,
+                        int32_t to) {
+    edges_t *e = &sw->edges;
+    const int32_t middle = from + (to - from) / 2;
+    stretch_t part = *k;
+    for (int32_t m = 0; m < f->others; m++) {
+        const int64_t above = edges_mix(k->above[0][m], k->above[1][m], middle);
+        const layer_t *o = f->other[m].layer;
+        if (above != 0 && (above > 0) == f->other[m].upper)
+            e->sheet[e->sheets++] = (edges_sheet_t){.span = o->span, .spans = o->spans, .below = o->below};
+    }
+    part.t_q30[0] = line_at(k, from);
+    part.t_q30[1] = line_at(k, to);
+    part.e[0] = k->e[0] + ints_muldiv_round(k->e[1] - k->e[0], from, INK_ONE);
+    part.e[1] = k->e[0] + ints_muldiv_round(k->e[1] - k->e[0], to, INK_ONE);
+    const edges_segment_t piece = part_of(seg, f->around, from, to);
+    const ink_sink_t sink = {&part, take_part};
+    int err = edges_look_at(e, &piece, &sink);
+    e->sheets = 0;
+    return err;
+}
+
+/* The line between two crossings, cut where it passes through another surface. */
+static int hatch_stretch(shaded_t *s, sweep_t *sw, const facet_t *f, const crossing_t c[2], int32_t line) {
+    edges_segment_t seg = {.g = {1, 1}};
+    stretch_t k = {.s = s, .line = line};
+    if (c[0].t_q30 >= c[1].t_q30) return 0;
+    if (sw->edges.chart.kind == CHART_VERTICAL) return add_part(s, line, c[0].t_q30, c[1].t_q30);
+    for (int n = 0; n < 2; n++) put_end(f, &c[n], &seg, &k, n);
+    if (f->others == 0) {
+        const ink_sink_t sink = {&k, take_part};
+        return edges_look_at(&sw->edges, &seg, &sink);
+    }
+    for (int32_t at = 0, to; at < ONE_Q30; at = to) {
+        to = ONE_Q30;
+        for (int32_t m = 0; m < f->others; m++) {
+            const int64_t a = k.above[0][m], b = k.above[1][m];
+            if ((a > 0) == (b > 0) || a == 0 || b == 0) continue;
+            const int32_t cut = (int32_t)pencil_fraction(ints_abs64(a), ints_abs64(a) + ints_abs64(b));
+            if (cut > at && cut < to) to = cut;
+        }
+        int err = look_at_part(sw, f, &seg, &k, at, to);
+        if (err) return err;
+    }
+    return 0;
+}
+
+static int hatch_line(shaded_t *s, sweep_t *sw, const facet_t *f, bool second, int32_t k) {
+    crossing_t c[4];
+    int n = 0;
+    for (int side = 0; side < 4; side++) {
+        const hatch_place_t *a = &f->place[side_end[side][0]], *b = &f->place[side_end[side][1]];
+        crossing_t x = {.side = side};
+        if (!hatch_cross(s->hatch, *a, *b, hatch_line_at(s->hatch, k), &x.t_q30, &x.part_q30)) continue;
+        int i = n++;
+        for (; i > 0 && c[i - 1].t_q30 > x.t_q30; i--) c[i] = c[i - 1];
+        c[i] = x;
+    }
+    int err = 0;
+    for (int i = 0; i + 1 < n && !err; i += 2) err = hatch_stretch(s, sw, f, c + i, hatch_number(s->hatch, second, k));
+    return err;
+}
+
+static int hatch_family(shaded_t *s, sweep_t *sw, facet_t *f, bool second, int32_t step) {
+    int64_t low = INT64_MAX, high = INT64_MIN;
+    int32_t lo, hi;
+    for (int k = 0; k < 4; k++) {
+        f->place[k] = hatch_place(s->hatch, second, f->page[k]);
+        low = f->place[k].w < low ? f->place[k].w : low;
+        high = f->place[k].w > high ? f->place[k].w : high;
+    }
+    hatch_range(s->hatch, low, high, &lo, &hi);
+    int err = 0;
+    for (int32_t k = (lo + step - 1) & -step; k <= hi && !err; k += step) err = hatch_line(s, sw, f, second, k);
+    return err;
+}
+
+int shaded_facet(shaded_t *s, sweep_t *sw, const layer_t *l, int32_t i) {
+    const int32_t j = l->line[0].j;
+    const shaded_vertex_t *row[2] = {row_of(s, l, j), row_of(s, l, j + 1)};
+    facet_t f = {.v = {&row[0][i], &row[0][i + 1], &row[1][i + 1], &row[1][i]}};
+    if (!place_corners(s, f.v, f.page)) return 0;
+    const int64_t area2 = area_of(f.page);
+    chart_facet(&f, &sw->edges.chart, l, i);
+    if (area2 == 0 || is_hidden(sw, &f)) return 0;
+    find_others(s, &f, sw, l, i);
+    enum hatch_tone tone = hatch_tone_of(brightness(s, l->grid, i, j, f.v, area2 < 0));
+    int err = 0;
+    for (int second = 0; second < 2 && !err; second++) {
+        int32_t step = hatch_step(tone, second);
+        if (step) err = hatch_family(s, sw, &f, second, step);
+    }
+    return err;
+}
+
+/* ---- what has come together ---- */
+
+static int32_t least(void *ctx, int32_t line) {
+    const shaded_t *s = ctx;
+    (void)line;
+    return (int32_t)(LEAST_LAT * INK_ONE / (2 * (int64_t)s->hatch->reach_lat));
+}
+
+static int emit(void *ctx, const interval_t *part) {
+    shaded_t *s = ctx;
+    const ink_piece_t piece = {INK_CURVE, s->space, part->line, part->from_q30, part->to_q30};
+    s->pieces++;
+    return s->sink->piece(s->sink->ctx, &piece);
+}
+
+static int flush(shaded_t *s) {
+    const interval_use_t use = {s, least, emit};
+    int err = intervals_finish(&s->parts, &use);
+    s->parts.n = 0;
+    return err;
+}
+
+int shaded_finish(shaded_t *s) {
+    return flush(s);
+}
+
+#endif
