@@ -129,8 +129,7 @@ static int clip_piece(edges_t *e, int sector, edges_place_t a, edges_place_t b, 
 }
 
 int edges_clip_in_sector(edges_t *e, edges_place_t a, edges_place_t b, int32_t s0, int32_t s1) {
-    const edges_place_t m = place_at(a, b, ONE_Q30 / 2);
-    const int sector = chart_sector(m.x, m.y);
+    const int sector = chart_sector(a.x + b.x, a.y + b.y); /* of its middle; each is less than 2^30 */
     if ((a.z < 0) == (b.z < 0)) return clip_piece(e, sector, a, b, s0, s1);
     const int32_t t = parting(a.z, b.z), s = s0 + scale_q30(s1 - s0, t);
     edges_place_t level = place_at(a, b, t);
