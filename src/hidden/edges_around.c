@@ -128,8 +128,15 @@ static int clip_piece(edges_t *e, int sector, edges_place_t a, edges_place_t b, 
     return clip_zones(e, p);
 }
 
+/* The sector of the middle of a-b: of the sum of its ends, for a unit from the eye half a unit may not be rounded. */
+static int sector_of_middle(edges_place_t a, edges_place_t b) {
+    const int64_t x = (int64_t)a.x + b.x, y = (int64_t)a.y + b.y;
+    const int64_t ax = x < 0 ? -x : x, ay = y < 0 ? -y : y;
+    return ax > ay ? (x > 0 ? 1 : 3) : (y > 0 ? 2 : 0);
+}
+
 int edges_clip_in_sector(edges_t *e, edges_place_t a, edges_place_t b, int32_t s0, int32_t s1) {
-    const int sector = chart_sector(a.x + b.x, a.y + b.y); /* of its middle; each is less than 2^30 */
+    const int sector = sector_of_middle(a, b);
     if ((a.z < 0) == (b.z < 0)) return clip_piece(e, sector, a, b, s0, s1);
     const int32_t t = parting(a.z, b.z), s = s0 + scale_q30(s1 - s0, t);
     edges_place_t level = place_at(a, b, t);

@@ -35,8 +35,7 @@ static int take_lower(void *ctx, envelope_part_t part) {
  * both sides bound; otherwise the line is on one of them, and rounding does not say on which: the lower one, rather
  * drawn than not. */
 static int32_t limit_at(envelope_t *h, pencil_t l, pencil_t r, bool in_plane) {
-    const int32_t apart = l.a == r.a ? 0 : 1;
-    const int32_t left = envelope_limits(h, l.a - apart).left, right = envelope_limits(h, r.a + apart).right;
+    const int32_t left = envelope_limits(h, l.a).left, right = envelope_limits(h, r.a).right;
     return in_plane ? pencil_max(left, right) : pencil_min(left, right);
 }
 

@@ -35,9 +35,14 @@ static void place(const scene_t *s, uint64_t *rng, double at[3]) {
             v * ((1 - u) * *height(s, i, j + 1) + u * *height(s, i + 1, j + 1));
 }
 
+/* A parallel view of more would be no wider than a step. */
+static double highest(const scene_t *s) {
+    return s->ref.eye.h ? 1e6 : 1e4;
+}
+
 /* Heights up to 10^(1..6) times the base, most of them low, as 1/(x*x+y*y) has them; the eye near the foot. */
 static void tall(scene_t *s, uint64_t *rng) {
-    const double most = log_uniform(rng, 10, 1e6), side = scene_below(rng, 2) ? 1 : -1;
+    const double most = log_uniform(rng, 10, highest(s)), side = scene_below(rng, 2) ? 1 : -1;
     for (int k = 0; k < s->ref.nx * s->ref.ny; k++) {
         double z = log_uniform(rng, 1e-3, most);
         s->ref.z[k] = scene_below(rng, 3) ? fmod(z, 1) : z * (scene_below(rng, 4) ? 1 : side);
@@ -142,7 +147,7 @@ static double steep_function(int which, double x, double y) {
 
 static void steep(scene_t *s, uint64_t *rng) {
     const int which = scene_below(rng, 8);
-    const double kx = log_uniform(rng, .5, 3), ky = log_uniform(rng, .5, 3), most = log_uniform(rng, 1e2, 1e6);
+    const double kx = log_uniform(rng, .5, 3), ky = log_uniform(rng, .5, 3), most = log_uniform(rng, 1e2, highest(s));
     for (int j = 0; j < s->ref.ny; j++)
         for (int i = 0; i < s->ref.nx; i++) {
             double z = steep_function(which, kx * s->ref.x[i], ky * s->ref.y[j]);
@@ -153,7 +158,7 @@ static void steep(scene_t *s, uint64_t *rng) {
 
 /* Levels a million apart, exactly or nearly. */
 static void high_cliffs(scene_t *s, uint64_t *rng) {
-    const double high = log_uniform(rng, 1e4, s->ref.eye.h ? 1e6 : 2e4); /* parallel: more is no wider than a step */
+    const double high = highest(s) * log_uniform(rng, 1e-2, 1);
     const double rough = scene_below(rng, 2) ? log_uniform(rng, 1e-9, 1) : 0;
     for (int k = 0; k < s->ref.nx * s->ref.ny; k++) {
         s->ref.z[k] = high * (scene_below(rng, 3) - 1) + rough * scene_uniform(rng);
