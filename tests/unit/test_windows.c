@@ -26,11 +26,30 @@ static int32_t below(int32_t n) {
 #define HEIGHT 4000
 static unsigned char open[COLUMNS][HEIGHT];
 
+/* Columns next to whose middle something ends or crosses: a window narrower than the noise may be there. */
+static bool doubtful[COLUMNS];
+
 static int32_t at(const outline_line_t *s, int32_t x) {
     return pencil_ordinate(s->p, s->q, x);
 }
 
+static bool is_over(const outline_line_t *s, int32_t x) {
+    return x >= s->p.a && x <= s->q.a;
+}
+
+static void doubt(const outline_line_t *lo, const outline_line_t *hi) {
+    for (int32_t c = 0; c < COLUMNS; c++) {
+        const int32_t x = c * WIDTH + WIDTH / 2 + 1, l = x - 2 * ENVELOPE_NOISE, r = x + 2 * ENVELOPE_NOISE;
+        if (is_over(lo, l) != is_over(lo, r) || is_over(hi, l) != is_over(hi, r)) {
+            doubtful[c] = true;
+        } else if (is_over(lo, l) && is_over(hi, l)) {
+            doubtful[c] |= (at(lo, l) < at(hi, l)) != (at(lo, r) < at(hi, r));
+        }
+    }
+}
+
 static void mark(const outline_line_t *lo, const outline_line_t *hi, unsigned char value) {
+    doubt(lo, hi);
     for (int32_t c = 0; c < COLUMNS; c++) {
         const int32_t x = c * WIDTH + WIDTH / 2 + 1;
         if (x < lo->p.a || x > lo->q.a || x < hi->p.a || x > hi->q.a) continue;
@@ -67,7 +86,7 @@ static int judge(const windows_t *w) {
         for (int32_t c = a0 / WIDTH + 1; c < a1 / WIDTH; c++) {
             const int32_t x = c * WIDTH + WIDTH / 2 + 1, v = at(&e, x);
             const int32_t slope = abs(e.q.w - e.p.w) / (a1 - a0);
-            if (slope > CLEAR / 8 || !is_clear(c, v)) continue;
+            if (slope > CLEAR / 8 || doubtful[c] || !is_clear(c, v)) continue;
             const int32_t f = (int32_t)(((int64_t)(x - a0) << 30) / (a1 - a0));
             const int32_t near = (1 << 30) / (a1 - a0) * 2;
             bool seen = false, close = false;
@@ -94,6 +113,7 @@ static void test_random(void **state) {
         envelope_t h;
         envelope_count_t count = {0};
         memset(open, 0, sizeof open);
+        memset(doubtful, 0, sizeof doubtful);
         assert_int_equal(windows_init(&w, COLUMNS, mem, sizeof mem), 0);
         assert_int_equal(envelope_init(&h, NULL, horizon, 64), 0);
         const bool lower = round & 1;
@@ -111,6 +131,7 @@ static void test_random(void **state) {
             for (int32_t v = lo; v < hi; v++)
                 if (v >= 0 && v < HEIGHT) open[c][v] = 1;
         }
+        doubt(&ground, &rim);
         judged += judge(&w);
         for (int k = 0; k < 12; k++) {
             const int32_t a0 = below(COLUMNS * WIDTH - 2 * WIDTH),
