@@ -142,7 +142,7 @@ static void slopes_of_box(slopes_t *s, const camera_t *cam, const view_box_t *bo
         camera_project(cam, p, h[c]);
         if (num_cmp(h[c][2], near) > 0) near = h[c][2];
     }
-    near = num_ldexp(near, -10);
+    near = num_ldexp(near, -40); /* a box may be a million times as high as it is wide */
     for (int c = 0; c < 8; c++) {
         bool front = num_cmp(h[c][2], near) > 0;
         if (front) slopes_add(s, h[c]);

@@ -8,7 +8,7 @@
 
 #define H_BITS 60
 #define E_BITS 35
-#define NEAR_SHIFT 20 /* nearest depth drawn: 2^-20 of the farthest */
+#define NEAR_SHIFT 20 /* nearest depth drawn where there is no exact way: 2^-20 of the farthest */
 
 typedef struct extent {
     int bits_xy, bits_e; /* of single shares and of sums */

@@ -3,6 +3,8 @@
 
 #include "num/ints.h"
 
+#include <stddef.h>
+
 #define PLANES 5
 
 /* Signed distances to the window's planes; >= 0 is inside. |h| < 2^60 and window * E < 2^60. */
@@ -37,11 +39,43 @@ bool cut_between(const line_space_t *s, const page_window_t *w, const page_h_t *
     return a < b;
 }
 
+/* How far a point is inside of plane k. */
+static num_t exact_distance(const page_window_t *w, const num_t h[3], int k) {
+    const int32_t border[PLANES - 1] = {w->x0_lat, w->x1_lat, w->y0_lat, w->y1_lat};
+    if (k == PLANES - 1) return h[2];
+    const num_t d = num_sub(h[k / 2], num_mul(num_from_i64(border[k]), h[2]));
+    return k & 1 ? num_neg(d) : d;
+}
+
+/* clip_cell in scaled integers, for lines that come close to the eye. Not inline: its stack is not the usual case's. */
+static __attribute__((noinline)) bool clip_close(const line_space_t *s, const ink_piece_t *p, int64_t *from,
+                                                 int64_t *to) {
+    num_t h0[3], h1[3];
+    int64_t a = *from, b = *to;
+    if (!s->exact(s->ctx, p->family, p->line, a, h0) || !s->exact(s->ctx, p->family, p->line, b, h1)) return false;
+    for (int k = 0; k < PLANES; k++) {
+        const num_t d0 = exact_distance(s->window, h0, k), d1 = exact_distance(s->window, h1, k);
+        if (num_sign(d0) >= 0 && num_sign(d1) >= 0) continue;
+        if (num_sign(d0) < 0 && num_sign(d1) < 0) return false;
+        const num_t part = num_div(d0, num_sub(d0, d1));
+        const int64_t at = *from + num_to_fixed(num_mul(num_from_i64(*to - *from), part), 0, NULL);
+        if (num_sign(d0) < 0) {
+            if (at + 1 > a) a = at + 1;
+        } else if (at - 1 < b) {
+            b = at - 1;
+        }
+    }
+    *from = a;
+    *to = b;
+    return a < b;
+}
+
 /* The part [*from, *to] of one cell's stretch that is inside; false if none is. */
 static bool clip_cell(const line_space_t *s, const ink_piece_t *p, int64_t *from, int64_t *to) {
     page_h_t h0, h1;
     if (!s->at(s->ctx, p->family, p->line, *from, &h0)) return false;
     if (!s->at(s->ctx, p->family, p->line, *to, &h1)) return false;
+    if (line_space_is_close(s, h0.e) || line_space_is_close(s, h1.e)) return clip_close(s, p, from, to);
     return cut_between(s, s->window, &h0, &h1, from, to);
 }
 

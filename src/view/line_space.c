@@ -32,10 +32,27 @@ static bool is_near(int32_t a, int32_t b) {
     return d >= -CLAMP_LAT && d <= CLAMP_LAT;
 }
 
+/* A point close to the eye. */
+static bool exact_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t_q30, page_point_t *out) {
+    num_t h[3];
+    if (!s->exact(s->ctx, family, line, t_q30, h) || num_sign(h[2]) <= 0) return false;
+    bool fits = true;
+    const int64_t x = num_to_fixed(num_div(h[0], h[2]), 0, &fits), y = num_to_fixed(num_div(h[1], h[2]), 0, &fits);
+    const int64_t most = 1 << 25; /* beyond any paper */
+    if (!fits || x > most || x < -most || y > most || y < -most) return false;
+    *out = (page_point_t){(int32_t)x, (int32_t)y};
+    return true;
+}
+
 bool line_space_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t_q30, page_point_t *out) {
     page_h_t h;
-    if (!s->at(s->ctx, family, line, t_q30, &h) || h.e < s->near_e) return false;
-    *out = line_space_divide(s, &h);
+    if (!s->at(s->ctx, family, line, t_q30, &h)) return false;
+    if (line_space_is_close(s, h.e)) {
+        if (!exact_point(s, family, line, t_q30, out)) return false;
+    } else {
+        if (h.e < s->near_e) return false;
+        *out = line_space_divide(s, &h);
+    }
     if (s->all_inside) return true;
     page_point_t free = *out;
     out->x_lat = clamp(free.x_lat, s->window->x0_lat, s->window->x1_lat);

@@ -8,6 +8,7 @@
 #define LINE_SPACE_H
 
 #include "hidden/ink.h"
+#include "num/num.h"
 #include "view/page.h"
 
 /* The part of the paper that may be drawn on, in lat. */
@@ -23,12 +24,20 @@ typedef struct line_space {
     void *ctx;
     /* False where there is no such point (a hole). */
     bool (*at)(void *ctx, uint8_t family, int32_t line, int64_t t_q30, page_h_t *h);
+    /* The same as at, in scaled integers, or NULL: for points so close (line_space_is_close) that lat would be lost in
+     * these units. No point in front of the eye is too close then. */
+    bool (*exact)(void *ctx, uint8_t family, int32_t line, int64_t t_q30, num_t h[3]);
     const page_window_t *window;
     bool perspective;
     bool all_inside; /* no point is outside of the window: nothing needs cutting */
     int frac_bits;   /* parallel: E == 2^frac_bits everywhere, frac_bits > 0 */
     int64_t near_e;  /* with less E a point is behind the eye or too close to it to be drawn */
 } line_space_t;
+
+/* Is a point so close that its place wants `exact`? near_e is 2^-20 of the most. */
+static inline bool line_space_is_close(const line_space_t *s, int64_t e) {
+    return s->exact != 0 && e < s->near_e << 5;
+}
 
 /* a + (b - a) * s / 2^30 in each coordinate, |a|, |b| < 2^61: how `at` interpolates between vertices. */
 page_h_t line_space_mix(const page_h_t *a, const page_h_t *b, int32_t s_q30);

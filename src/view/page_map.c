@@ -82,6 +82,27 @@ static bool lines_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, pag
     return true;
 }
 
+/* Interpolated in the world, before it is projected: less stack, and as exact. */
+static bool exact_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, num_t h[3]) {
+    const page_map_t *m = ctx;
+    const surface_t *src = m->grid->src;
+    const bool row = family == INK_ROW;
+    const int32_t at = (int32_t)(t_q30 >> 30), i = row ? at : line, j = row ? line : at;
+    const num_t part = num_from_fixed(t_q30 & (INK_ONE - 1), 30);
+    num_t p[3], next;
+    if (!grid_value(m->grid, i, j, &p[2])) return false;
+    p[0] = src->x_of(src->ctx, i);
+    p[1] = src->y_of(src->ctx, j);
+    if (part.m != 0) {
+        if (!grid_value(m->grid, i + row, j + !row, &next)) return false;
+        p[2] = num_add(p[2], num_mul(num_sub(next, p[2]), part));
+        next = row ? src->x_of(src->ctx, i + 1) : src->y_of(src->ctx, j + 1);
+        p[!row] = num_add(p[!row], num_mul(num_sub(next, p[!row]), part));
+    }
+    camera_project(m->cam, p, h);
+    return true;
+}
+
 int page_map_setup(page_map_t *m, grid_t *g, const camera_t *cam, void *memory) {
     *m = (page_map_t){.grid = g, .cam = cam, .tall = cam->perspective && grid_is_tall(g)};
     m->lines = (line_space_t){.ctx = m, .at = lines_at};
@@ -90,6 +111,7 @@ int page_map_setup(page_map_t *m, grid_t *g, const camera_t *cam, void *memory) 
     const num_t hi[3] = {src->x_of(src->ctx, g->nx - 1), src->y_of(src->ctx, g->ny - 1), g->z_max};
     int err = camera_scale(cam, lo, hi, &m->lines);
     if (err) return err;
+    if (cam->perspective) m->lines.exact = exact_at;
     for (int k = 0; k < 2; k++) m->origin[k] = num_ldexp(num_add(lo[k], hi[k]), -1);
     m->origin[2] = g->z_origin;
     camera_project(cam, m->origin, m->origin_h);

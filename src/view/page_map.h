@@ -4,7 +4,8 @@
  *     H_k(i, j, zi) = col_k[i] + row_k[j] + zi * z_k,   k = X, Y, E;   page = (H_X / H_E, H_Y / H_E)
  * all int64_t in one unit 2^-frac_bits chosen per scene so that |H| < 2^60 everywhere on the grid (block scaling).
  * The shares come from the camera's matrix once a picture; after that a vertex costs three products and, in
- * perspective, two divisions. Error: below 1 lat (1/400 step) while depths differ by less than 1:10^4.
+ * perspective, two divisions. Error: below 1 lat (1/400 step) while depths differ by less than 1:10^4, below 8 for what
+ * is nearer; from 1:2^15 on points are worked out in scaled integers (line_space.h).
  *
  * Points between two vertices are interpolated in space, where a grid edge is straight.
  * Context: main loop. Memory: the caller lends 24 bytes per column and row, or nothing: then shares are worked out

@@ -73,6 +73,14 @@ cliffs() {
     judged 25 25 -2:2 -2:2 'int(x+.013)*int(y+.017)' 'set view from 6,8,3'
     judged 25 25 -2:2 -2:2 'x*y>.0123?1:0' 'set view from 3,9,2'
 }
+# Depths that differ by 10^8 and more, the eye among the surface's heights.
+steep() {
+    judged 40 40 -10:10 -10:10 'x**9' 'set view from 6,8,3' -e 6,8,3
+    judged 40 40 -3:3 -3:3 'x**9' 'set view from 1,2,.5' -e 1,2,.5
+    judged 40 40 -4:4 -4:4 'exp(x*y)' 'set view from 6,8,3' -e 6,8,3
+    judged 30 30 -3:3 -3:3 'x**9*y**3' 'set view from 6,8,3' -e 6,8,3
+    judged 40 40 -3:3 -3:3 'sinh(4*x)*y' 'set view from 6,8,3' -e 6,8,3
+}
 horizon() {
     profiles 30 40 -2:2 -2:2 'exp(-x**2-y**2)' 'set view from 6,8,3'
     profiles 30 40 -2:2 -2:2 "$noise" 'set view from -1,8,3'
@@ -94,4 +102,4 @@ demo_scenes() {
     verdict -g random.blocks -e 6,8,3
 }
 
-run_tests demo_scenes perspective_outside perspective_inside perspective_in_a_grid_plane gnuplots_views holes cliffs horizon
+run_tests demo_scenes perspective_outside perspective_inside perspective_in_a_grid_plane gnuplots_views holes cliffs steep horizon

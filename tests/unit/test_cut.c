@@ -60,7 +60,12 @@ static void cuts_at_the_window(void **state) {
         static scene_t s;
         memset(&s, 0, sizeof s);
         bool perspective = k & 1;
-        line_space_t lines = {&s, scene_at, &WINDOW, perspective, false, 20, perspective ? 1 << 14 : 1};
+        line_space_t lines = {.ctx = &s,
+                              .at = scene_at,
+                              .window = &WINDOW,
+                              .perspective = perspective,
+                              .frac_bits = 20,
+                              .near_e = perspective ? 1 << 14 : 1};
         for (int v = 0; v < VERTICES; v++) {
             page_h_t *h = &s.vertex[v];
             h->e = perspective ? random_in(-((int64_t)1 << 33), (int64_t)1 << 34) : 1 << 20;
