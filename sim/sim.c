@@ -4,6 +4,9 @@
 #include <stddef.h>
 #include <string.h>
 
+#define EDGES 256
+#define AHEAD_TICKS 8000 /* of the main loop, at most: as on the boards */
+
 typedef struct event {
     uint64_t tick;
     void (*call)(void *ctx);
@@ -21,6 +24,10 @@ static struct {
     const char *fault;
     uint32_t late_period, late_by;
     sim_counts_t counts;
+    bool one_by_one;
+    uint64_t until; /* edges may be made ahead so far */
+    uint32_t edge[EDGES], edges;
+    uint64_t first;            /* when the first of them is due */
     event_t event[SIM_EVENTS]; /* by tick */
     int events;
 } s;
@@ -72,6 +79,17 @@ void hal_pins_write(uint32_t mask, uint32_t value) {
     if (s.recorder) s.recorder(s.ctx, s.tick, pins, changed);
 }
 
+hal_edges_t hal_edges(void) {
+    if (s.one_by_one || s.late_period) return (hal_edges_t){0};
+    return (hal_edges_t){s.edge, EDGES, (uint32_t)s.until + s.offset};
+}
+
+void hal_edges_put(uint32_t edges, uint32_t first_at, uint32_t last_at) {
+    (void)last_at;
+    s.edges = edges;
+    s.first = s.tick + (first_at - hal_now());
+}
+
 uint32_t hal_now(void) {
     return (uint32_t)s.tick + s.offset;
 }
@@ -90,12 +108,29 @@ void hal_timer_cancel(void) {
     s.armed = false;
 }
 
-static void serve(void) {
+static void play_edges(void) {
+    if (s.edges) s.tick = s.first;
+    for (uint32_t i = 0; i < s.edges; i++) {
+        if (i) s.tick += s.edge[i] >> HAL_EDGE_SHIFT;
+        hal_pins_write(HAL_EDGE_PINS, s.edge[i]);
+    }
+    s.edges = 0;
+}
+
+/* What comes from outside at its tick meets nothing made beyond it. */
+static void serve(uint64_t until) {
     s.armed = false;
     if (s.deadline > s.tick) s.tick = s.deadline;
     s.counts.deadlines++;
     if (s.late_period && s.counts.deadlines % s.late_period == 0) s.tick += s.late_by;
+    s.until = s.tick + AHEAD_TICKS < until ? s.tick + AHEAD_TICKS : until;
+    if (s.events && s.event[0].tick < s.until) s.until = s.event[0].tick;
     stepgen_isr();
+    play_edges();
+}
+
+void sim_play_ahead(bool ahead) {
+    s.one_by_one = !ahead;
 }
 
 bool sim_at(uint64_t tick, void (*event)(void *ctx), void *ctx) {
@@ -117,13 +152,13 @@ static bool step(uint64_t until) {
         return true;
     }
     if (!s.armed || s.deadline > until) return false;
-    serve();
+    serve(until);
     return true;
 }
 
 void hal_idle(void) {
     uint64_t until = s.tick + SIM_IDLE_TICKS;
-    if (!step(s.armed ? s.deadline : until)) s.tick = until;
+    if (!step(s.armed ? UINT64_MAX : until)) s.tick = until;
 }
 
 void sim_run(uint64_t ticks) {

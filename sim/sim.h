@@ -1,6 +1,7 @@
 /* sim.h - the simulator's side of hal.h: a virtual clock and a recorder below the pins.
  *
- * There is one simulated machine per program. hal_idle() moves the clock to the armed deadline and calls stepgen_isr();
+ * There is one simulated machine per program. hal_idle() moves the clock to the armed deadline and calls stepgen_isr(),
+ * and then through the edges that it made ahead (half a millisecond at most, and nothing beyond what sim_at holds);
  * nothing else moves it, so a run takes no longer than its computing and repeats exactly. With no deadline armed,
  * hal_idle() lets SIM_IDLE_TICKS pass. Something scheduled from outside (sim_at) comes in between at its own tick.
  *
@@ -35,6 +36,8 @@ bool sim_at(uint64_t tick, void (*event)(void *ctx), void *ctx);
 
 /* Fault injection: every `period`-th deadline is served `late` ticks late (period 0: none). */
 void sim_inject_late(uint32_t period, uint32_t late);
+/* Whether stepgen_isr() may make edges ahead, as on the boards, or makes one at a time; they are the same. Stays. */
+void sim_play_ahead(bool ahead);
 /* The 32-bit clock starts here instead of 0 (to test wrap-around); ticks reported still count from 0. */
 void sim_set_clock(uint32_t now);
 

@@ -20,7 +20,7 @@ void port_systick_isr(void) {
 
 void port_timer_isr(void) {
     TIMER0_ICR = 1;
-    ahead_write_isr();
+    player_isr();
 }
 
 /* Not WFI: there is always the console to look at, and the pins do not get quieter by it. */

@@ -6,10 +6,10 @@
 #include "hal/lm3s6965/regs.h"
 #include "hal/port/pl011.h"
 
-#define AHEAD_ENTRY 72
-#define AHEAD_GAP 4
-#define AHEAD_CHAIN 24
-#define AHEAD_SLACK 48
+#define AHEAD_ENTRY 20
+#define AHEAD_SOON 40
+#define AHEAD_AFTER 12
+#define AHEAD_SLACK 16
 
 #define PORT_ALL_PINS 0x3fu
 #define PORT_INVERT 0u /* high is active: a chip in reset drives nothing, and pull-downs leave motors off, pen up */
@@ -70,6 +70,14 @@ static inline port_word_t port_word(uint32_t mask, uint32_t value) {
 
 static inline void port_write(port_word_t word) {
     *word.at = word.value;
+}
+
+static inline uint32_t port_level(uint32_t pins) {
+    return pins ^ port.invert;
+}
+
+static inline void port_put(uint32_t level) {
+    GPIO_DATA(GPIOB, PORT_ALL_PINS) = level;
 }
 
 static inline uint32_t port_pins(void) {

@@ -46,7 +46,7 @@ void port_uart_isr(void) {
 
 void port_timer_isr(void) {
     TIMER0_COMPARE0 = 0;
-    ahead_write_isr();
+    player_isr();
 }
 
 void port_plan_isr(void) {

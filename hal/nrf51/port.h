@@ -11,10 +11,13 @@
 #include "hal/hal.h"
 #include "hal/nrf51/regs.h"
 
-#define AHEAD_ENTRY 300
-#define AHEAD_GAP 20
-#define AHEAD_CHAIN 208
-#define AHEAD_SLACK 160
+#define AHEAD_EDGES 16
+#define AHEAD_BATCH 8
+#define AHEAD_PAIR 72
+#define AHEAD_ENTRY 64
+#define AHEAD_SOON 160
+#define AHEAD_AFTER 80
+#define AHEAD_SLACK 40
 
 #define PORT_ALL_PINS 0x3fu
 #define PORT_INVERT 0u /* high is active: a chip in reset drives nothing, and pull-downs leave motors off, pen up */
@@ -23,6 +26,8 @@ enum { PORT_IRQ_UART = 2, PORT_IRQ_TIMER = 8 };
 
 /* Pin numbers of the chip, in the order of enum hal_pin. */
 enum { PIN_X_STEP = 3, PIN_X_DIR = 2, PIN_Y_STEP = 1, PIN_Y_DIR = 18, PIN_PEN = 20, PIN_ENABLE = 16 };
+#define PORT_OUT                                                                                                       \
+    (1u << PIN_X_STEP | 1u << PIN_X_DIR | 1u << PIN_Y_STEP | 1u << PIN_Y_DIR | 1u << PIN_PEN | 1u << PIN_ENABLE)
 
 void port_uart_isr(void);
 void port_timer_isr(void);
@@ -54,14 +59,12 @@ static inline void port_until(uint32_t raw) {
     while ((int32_t)(port_now() - raw) < 0) continue;
 }
 
-/* The new compare value before the old event is cleared: in 32-bit mode QEMU would raise it again at once. One that
- * came in between would be lost, and the next only after nine minutes; so what is near is not left to the timer. */
+/* The new compare value before the old event is cleared: in 32-bit mode QEMU would raise it again at once. An event in
+ * between is not missed: what is near does not come here. */
 static inline void port_alarm(uint32_t at) {
-    uint32_t count = port_count();
-    int32_t in = (int32_t)(at - count * 2) >> 1;
-    TIMER0_CC0 = count + (uint32_t)in;
+    const uint32_t count = TIMER0_CC1;
+    TIMER0_CC0 = count + ((uint32_t)((int32_t)(at - count * 2) >> 1));
     TIMER0_COMPARE0 = 0;
-    if (in < 16) irq_pend(PORT_IRQ_TIMER);
 }
 
 typedef struct port_word {
@@ -75,6 +78,14 @@ static inline port_word_t port_word(uint32_t mask, uint32_t value) {
 /* Not by OUTSET and OUTCLR, which would be two moments. */
 static inline void port_write(port_word_t word) {
     GPIO_OUT = (GPIO_OUT & ~word.mask) | word.value;
+}
+
+static inline uint32_t port_level(uint32_t pins) {
+    return port_spread[(pins ^ port.invert) & PORT_ALL_PINS];
+}
+
+static inline void port_put(uint32_t level) {
+    GPIO_OUT = (GPIO_OUT & ~PORT_OUT) | level;
 }
 
 #define PORT_UART_NONE UINT32_MAX

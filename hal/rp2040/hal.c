@@ -14,7 +14,7 @@ port_state_t port = {.invert = PORT_INVERT};
 
 void port_timer_isr(void) {
     TIMER_INTR = 2;
-    ahead_write_isr();
+    player_isr();
 }
 
 /* Sleeps until an interrupt, 1 ms at most. One that came before, but after its cause was looked for, ends the sleep

@@ -12,10 +12,11 @@
 #include "hal/port/pl011.h"
 #include "hal/rp2040/regs.h"
 
-#define AHEAD_ENTRY 48
-#define AHEAD_GAP 4
-#define AHEAD_CHAIN 24
-#define AHEAD_SLACK 48
+#define AHEAD_EDGES 256
+#define AHEAD_ENTRY 40
+#define AHEAD_SOON 80
+#define AHEAD_AFTER 12
+#define AHEAD_SLACK 16
 
 #define PORT_ALL_PINS 0x3fu
 #define PORT_INVERT HAL_ENABLE /* /ENABLE, pulled up on the drivers: a chip in reset leaves them off */
@@ -69,6 +70,14 @@ static inline port_word_t port_word(uint32_t mask, uint32_t value) {
 
 static inline void port_write(port_word_t word) {
     SIO_OUT_XOR = (SIO_OUT ^ word.value) & word.mask;
+}
+
+static inline uint32_t port_level(uint32_t pins) {
+    return (pins ^ port.invert) << FIRST_PIN;
+}
+
+static inline void port_put(uint32_t level) {
+    SIO_OUT_XOR = (SIO_OUT ^ level) & (PORT_ALL_PINS << FIRST_PIN);
 }
 
 static inline uint32_t port_pins(void) {

@@ -199,13 +199,13 @@ void carriage_stop(carriage_t *c) {
 }
 
 void carriage_pen_test(carriage_t *c, const machine_t *machine, bool down) {
-    hal_pins_write(HAL_PEN, down ? HAL_PEN : 0);
+    stepgen_set_pins(HAL_PEN, down ? HAL_PEN : 0);
     c->pen_down = down;
     wait_us(c, down ? machine->lower_us : machine->lift_us);
 }
 
 void carriage_motors(carriage_t *c, bool on) {
-    hal_pins_write(HAL_ENABLE, on ? HAL_ENABLE : 0);
+    stepgen_set_pins(HAL_ENABLE, on ? HAL_ENABLE : 0);
     if (!on) c->place = (page_point_t){0, 0};
 }
 

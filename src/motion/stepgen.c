@@ -1,5 +1,13 @@
 /* stepgen.c - the interrupt's body; see stepgen.h.
  *
+ *     stepgen_isr: serve -> take -> pulses -> next_deadline -+-> a port that plays edges by itself has room: go on
+ *                    ^                                       |
+ *                    +---------------------------------------+-> else: arm it
+ *
+ * `pulses` is the short way through steps and nothing else, a few dozen instructions an edge; whatever else happens
+ * takes the long way round, edge by edge. Both come to the same edges. Where a port plays none ahead, and so on the
+ * simulator, all go the long way.
+ *
  * Time in the interrupt is `g.now`, the tick that was armed, not the tick at which the port got round to it: a latency
  * of less than g.slack moves single edges but never the plan. Times are compared by the sign of their difference, so
  * the clock may wrap; pieces are shorter than 2^30 ticks.
@@ -17,7 +25,9 @@
 #define EARLY_TICKS 16  /* called earlier than this before the deadline: stepgen_hold() armed the timer */
 #define SLICE_TICKS (HAL_TICK_HZ / 2000) /* the speed is constant so long while time is stretched */
 #define SLICE (SLICE_TICKS / STEPGEN_SPEED_TICKS)
-#define GRID_TICKS 32768u                  /* 2 ms */
+#define GRID_TICKS 32768u             /* 2 ms */
+#define NEAR_TICKS (HAL_EDGE_GAP - 1) /* what is due so soon after an edge goes with it */
+#define FAR_TICKS 0x40000000u
 #define SETUP_MORE (HAL_TICK_HZ / 1000000) /* DIR is written so much earlier than it has to be */
 #define ONE_Q16 (1u << 16)
 #define NEVER INT32_MAX
@@ -31,7 +41,6 @@ typedef struct motor {
     bool high;
     bool turn;     /* DIR must change before the next step */
     bool forward;  /* of the steps to come */
-    bool dir;      /* level of DIR */
     int32_t moved; /* counted pulses */
 } motor_t;
 
@@ -65,42 +74,84 @@ static struct {
     uint32_t pace;  /* speed at the end of the slice, as speed is */
     uint32_t slice_end;
     uint32_t rate_q16, stretch_q16; /* planned time per time, and its inverse */
+    /* Edges. */
+    uint32_t level; /* of all pins, after the newest */
+    uint32_t edge;  /* when that was */
+    hal_edges_t ahead;
+    uint32_t made; /* of ahead.room */
+    uint32_t first;
 } g;
 
 static const uint8_t STEP_PIN[2] = {HAL_X_STEP, HAL_Y_STEP};
 static const uint8_t DIR_PIN[2] = {HAL_X_DIR, HAL_Y_DIR};
 
-typedef struct edges {
-    uint32_t mask, value;
-} edges_t;
-
-static inline void write_dir(edges_t *e, int m) {
-    e->mask |= DIR_PIN[m];
-    g.motor[m].dir = g.motor[m].forward;
-    if (g.motor[m].dir) e->value |= DIR_PIN[m];
+/* All pins, from g.now on. */
+static inline void put(uint32_t level) {
+    if (g.made < g.ahead.room) {
+        if (g.made == 0) g.first = g.now;
+        g.ahead.word[g.made++] = hal_edge(level, g.now - g.edge);
+    } else {
+        hal_pins_write(level ^ g.level, level);
+    }
+    g.level = level;
+    g.edge = g.now;
 }
 
-/* Begins or ends the motor's pulse if that is due. */
-static inline void run_motor(edges_t *e, int m, uint32_t actual) {
+/* When the motor is next wanted, if it is. */
+static inline bool motor_due(const motor_t *a, uint32_t *at) {
+    if (a->high)
+        *at = a->fall;
+    else if (a->left)
+        *at = (uint32_t)(a->next_q32 >> 32) - (a->turn ? g.setup : 0);
+    return a->high || a->left;
+}
+
+static inline void begin_pulse(motor_t *a, uint32_t now) {
+    a->high = true;
+    a->fall = now + g.pulse;
+    a->left--;
+    a->next_q32 += a->interval_q32;
+    a->interval_q32 += (uint64_t)a->add_q32;
+}
+
+/* Begins or ends the motor's pulse, or turns it round, if that is due by `near`; a turn by `turn`. */
+static inline uint32_t run_motor(int m, uint32_t level, uint32_t near, uint32_t turn, uint32_t actual) {
     motor_t *a = &g.motor[m];
+    uint32_t at;
+    if (!motor_due(a, &at) || hal_before(a->turn && !a->high ? turn : near, at)) return level;
     if (a->high) {
-        if (hal_before(g.now, a->fall)) return;
         a->high = false;
-        e->mask |= STEP_PIN[m];
-    } else if (a->turn) {
-        if (hal_before(g.now, (uint32_t)(a->next_q32 >> 32) - g.setup)) return;
-        a->turn = false;
-        write_dir(e, m);
-    } else if (a->left && !hal_before(g.now, (uint32_t)(a->next_q32 >> 32))) {
-        a->high = true;
-        a->fall = actual + g.pulse;
-        a->left--;
-        a->next_q32 += a->interval_q32;
-        a->interval_q32 += (uint64_t)a->add_q32;
-        a->moved += a->forward ? 1 : -1;
-        e->mask |= STEP_PIN[m];
-        e->value |= STEP_PIN[m];
+        return level & ~STEP_PIN[m];
     }
+    if (a->turn) {
+        a->turn = false;
+        return a->forward ? level | DIR_PIN[m] : level & ~DIR_PIN[m];
+    }
+    begin_pulse(a, actual);
+    a->moved += a->forward ? 1 : -1;
+    return level | STEP_PIN[m];
+}
+
+/* What is due at g.now, and if there is something, what comes right after it. Motors that turn round at about the same
+ * time do so together: what counts is that DIR stands before the step. */
+static inline void serve(uint32_t actual) {
+    uint32_t at, level = g.level;
+    bool due = g.set_pins && !hal_before(g.now, g.set_at), turns = false;
+    for (int m = 0; m < 2; m++) {
+        const motor_t *a = &g.motor[m];
+        if (!motor_due(a, &at) || hal_before(g.now, at)) continue;
+        due = true;
+        turns |= a->turn && !a->high;
+    }
+    if (!due) return;
+    const uint32_t near = g.now + NEAR_TICKS, turn = turns ? g.now + g.setup : near;
+    level = run_motor(0, level, near, turn, actual);
+    level = run_motor(1, level, near, turn, actual);
+    if (g.set_pins && !hal_before(near, g.set_at)) {
+        g.set_pins = false;
+        level = (level & ~(uint32_t)(HAL_PEN | HAL_ENABLE)) | g.pins;
+    }
+    if (level != g.level) put(level);
 }
 
 static inline void take_axis(int m, const stepgen_axis_piece_t *p) {
@@ -110,7 +161,7 @@ static inline void take_axis(int m, const stepgen_axis_piece_t *p) {
     a->next_q32 = ((uint64_t)g.end << 32) + p->first_q32;
     a->interval_q32 = p->interval_q32;
     a->add_q32 = p->add_q32;
-    a->turn = p->forward != a->dir;
+    a->turn = p->forward != (bool)(g.level & DIR_PIN[m]);
     a->forward = p->forward;
 }
 
@@ -138,6 +189,11 @@ static inline bool piece_done(void) {
     return !g.motor[0].left && !g.motor[1].left && !g.set_pins;
 }
 
+/* A piece is taken as soon as its predecessor has nothing more to do. */
+static void take_due(void) {
+    while (piece_done() && take()) continue;
+}
+
 static inline int32_t earlier(int32_t best, uint32_t at) {
     int32_t in = (int32_t)(at - g.now);
     return in < best ? in : best;
@@ -158,6 +214,7 @@ static void slip(uint32_t late) {
     g.slice_end += late;
     g.asked_at += late;
     g.begun += late;
+    g.edge += late;
     g.now += late;
     g.late++;
 }
@@ -188,7 +245,10 @@ static bool next_slice(void) {
     g.slice_end = g.now + SLICE_TICKS;
     uint32_t middle = g.pace + SLICE / 2;
     if (g.hold) {
-        if (g.pace <= SLICE / 2) return false;
+        if (g.pace <= SLICE / 2) {
+            g.slice_end = g.now; /* and look again when the last pulse has ended */
+            return false;
+        }
         middle = g.pace - SLICE / 2;
         g.pace = g.pace > SLICE ? g.pace - SLICE : 0;
     } else {
@@ -243,47 +303,99 @@ static void stop_running(void) {
     __atomic_store_n(&g.running, false, __ATOMIC_RELEASE);
 }
 
-/* All that must not go on; the pins are written by the caller's time: planned in the interrupt, at once elsewhere. */
-static void halt(bool motors_on) {
+/* All that must not go on. */
+static uint32_t halt(bool motors_on) {
     g.halted = true;
-    hal_pins_write(HAL_X_STEP | HAL_Y_STEP | HAL_PEN | (motors_on ? 0 : HAL_ENABLE), 0);
     g.set_pins = g.hold = g.want_hold = g.stop = g.asked = g.stretched = g.parked = false;
     g.pins = motors_on ? g.pins & HAL_ENABLE : 0;
     g.tail = g.head;
     stop_running();
+    return g.level & ~(uint32_t)(HAL_X_STEP | HAL_Y_STEP | HAL_PEN | (motors_on ? 0 : HAL_ENABLE));
 }
 
-void stepgen_isr(void) {
-    edges_t e = {0, 0};
-    uint32_t actual = hal_now();
-    if (!g.running || g.parked) return; /* halted, or only woken */
-    if ((int32_t)(actual - g.now) > (int32_t)g.slack) slip(actual - g.now);
-    if ((int32_t)(g.now - actual) > EARLY_TICKS) {
-        if (g.stretched) { /* it would have come soon enough, and the plan has been put off up to then */
-            hal_timer_arm(g.now);
-            return;
+/* ---- the short way ---- */
+
+/* Nothing but steps is under way, and time runs as planned. */
+static inline bool is_plain(void) {
+    const bool want = __atomic_load_n(&g.want_hold, __ATOMIC_ACQUIRE);
+    if (want == g.hold) g.asked = false;
+    return !g.hold && !g.stretched && !g.set_pins && (!want || g.asked);
+}
+
+static inline uint32_t earlier_of(uint32_t a, uint32_t b) {
+    return hal_before(b, a) ? b : a;
+}
+
+/* Up to when all deadlines are pulses. */
+static uint32_t plain_until(void) {
+    uint32_t until = g.ahead.until;
+    for (int m = 0; m < 2; m++) {
+        const motor_t *a = &g.motor[m];
+        if (a->left && a->turn) until = earlier_of(until, (uint32_t)(a->next_q32 >> 32) - g.setup - NEAR_TICKS);
+    }
+    return g.asked ? earlier_of(until, g.asked_at) : until;
+}
+
+static inline uint32_t pulse_at(const motor_t *a, uint32_t otherwise) {
+    return a->high ? a->fall : a->left ? (uint32_t)(a->next_q32 >> 32) : otherwise;
+}
+
+/* The other end of the pulse; when the motor is wanted then. */
+static inline uint32_t toggle(motor_t *a, uint32_t now, uint32_t far) {
+    if (a->high) {
+        a->high = false;
+        return a->left ? (uint32_t)(a->next_q32 >> 32) : far;
+    }
+    begin_pulse(a, now);
+    return a->fall;
+}
+
+/* Pulses of the taken piece, to its last or as long as there is room for what they do to the pins. Both motors' next
+ * deadlines stay in registers. */
+static void pulses(void) {
+    motor_t *const x = &g.motor[0], *const y = &g.motor[1];
+    const uint32_t until = plain_until(), far = g.now + FAR_TICKS;
+    const uint32_t left[2] = {x->left, y->left};
+    uint32_t *word = &g.ahead.word[g.made], *const from = word, *const end = &g.ahead.word[g.ahead.room - 1];
+    uint32_t x_at = pulse_at(x, far), y_at = pulse_at(y, far), edge = g.edge, level = g.level, first = 0;
+    while (word < end) {
+        const uint32_t now = earlier_of(x_at, y_at), near = now + NEAR_TICKS;
+        if (!hal_before(now, until) || (int32_t)(now - edge) < (int32_t)HAL_EDGE_GAP) break;
+        if (!hal_before(near, x_at)) {
+            level ^= HAL_X_STEP;
+            x_at = toggle(x, now, far);
         }
-        g.now = actual;
+        if (!hal_before(near, y_at)) {
+            level ^= HAL_Y_STEP;
+            y_at = toggle(y, now, far);
+        }
+        if (word == from) first = now;
+        *word++ = hal_edge(level, now - edge);
+        edge = now;
+        if (!(x->left | y->left)) break;
     }
-
-    run_motor(&e, 0, actual);
-    run_motor(&e, 1, actual);
-    if (g.set_pins && !hal_before(g.now, g.set_at)) {
-        g.set_pins = false;
-        e.mask |= HAL_PEN | HAL_ENABLE;
-        e.value |= g.pins;
+    if (word == from) return;
+    if (g.made == 0) g.first = first;
+    g.made += (uint32_t)(word - from);
+    g.now = g.edge = edge;
+    g.level = level;
+    for (int m = 0; m < 2; m++) {
+        motor_t *a = &g.motor[m];
+        const int32_t moved = (int32_t)(left[m] - a->left);
+        a->moved += a->forward ? moved : -moved;
     }
-    /* A piece is taken as soon as its predecessor has nothing more to do. */
-    bool more = true;
-    while (piece_done() && more) more = take();
-    if (e.mask) hal_pins_write(e.mask, e.value);
+}
 
+/* ---- the long way ---- */
+
+/* The deadline that follows, in g.now. False if there is none: at the end, and when held. */
+static bool next_deadline(void) {
     int32_t fall = NEVER, plan = NEVER, turn = NEVER;
     for (int m = 0; m < 2; m++) {
         const motor_t *a = &g.motor[m];
         if (a->high)
             fall = earlier(fall, a->fall);
-        else if (a->turn)
+        else if (a->left && a->turn)
             turn = earlier(turn, (uint32_t)(a->next_q32 >> 32) - g.setup);
         else if (a->left)
             plan = earlier(plan, (uint32_t)(a->next_q32 >> 32));
@@ -295,7 +407,7 @@ void stepgen_isr(void) {
             if (!g.rest || (g.pins & HAL_PEN)) g.starved++;
             g.stretched = false;
             stop_running();
-            return;
+            return false;
         }
         plan = earlier(plan, g.end); /* look again when the piece is over */
     }
@@ -303,35 +415,63 @@ void stepgen_isr(void) {
     if (g.hold || g.stretched) in = stretched(fall, plan, ask);
     if (in == NEVER) { /* held */
         if (g.stop)
-            halt(true);
+            put(halt(true));
         else
             __atomic_store_n(&g.parked, true, __ATOMIC_RELEASE);
-        return;
+        return false;
     }
     if (ask < in) in = ask;
     if (in < 0) { /* planned for a time that had gone by when its piece was taken */
         g.late++;
         in = 0;
     }
+    const int32_t since = (int32_t)(g.now - g.edge);
+    if (since >= 0 && in < (int32_t)HAL_EDGE_GAP - since) in = (int32_t)HAL_EDGE_GAP - since;
     g.now += (uint32_t)in;
-    hal_timer_arm(g.now);
+    return true;
+}
+
+void stepgen_isr(void) {
+    uint32_t actual = hal_now();
+    if (!g.running || g.parked) return; /* halted, or only woken */
+    if ((int32_t)(actual - g.now) > (int32_t)g.slack) slip(actual - g.now);
+    if ((int32_t)(g.now - actual) > EARLY_TICKS) {
+        if (g.stretched) { /* it would have come soon enough, and the plan has been put off up to then */
+            hal_timer_arm(g.now);
+            return;
+        }
+        g.now = actual;
+    }
+    g.ahead = hal_edges();
+    g.made = 0;
+    bool more;
+    do {
+        serve(actual);
+        take_due();
+        while (g.made + 1 < g.ahead.room && is_plain()) {
+            const uint32_t made = g.made;
+            pulses();
+            if (g.made == made || !piece_done()) break;
+            take_due();
+        }
+        more = next_deadline();
+        actual = g.now;
+    } while (more && g.made + 1 < g.ahead.room && hal_before(g.now, g.ahead.until));
+    if (g.made) hal_edges_put(g.made, g.first, g.edge);
+    if (more) hal_timer_arm(g.now);
 }
 
 void stepgen_init(stepgen_piece_t *queue, uint32_t slots, uint32_t pulse_ticks, uint32_t setup_ticks) {
     hal_timer_cancel();
-    edges_t e = {HAL_X_STEP | HAL_Y_STEP | HAL_PEN, 0};
-    const bool on = g.pins & HAL_ENABLE;
-    if (!on) g.begun = 0;
-    for (int m = 0; m < 2;
-         m++) { /* of motors that are on as it was: a halt may have come between deciding and writing */
-        g.motor[m] = (motor_t){.forward = on && g.motor[m].dir};
-        write_dir(&e, m);
-    }
-    hal_pins_write(e.mask, e.value);
+    /* Of motors that are on, DIR is as it was: a halt may have come between deciding and writing. */
+    g.level = g.pins & HAL_ENABLE ? g.level & (HAL_X_DIR | HAL_Y_DIR | HAL_ENABLE) : 0;
+    hal_pins_write(HAL_X_STEP | HAL_Y_STEP | HAL_X_DIR | HAL_Y_DIR | HAL_PEN, g.level);
+    if (!(g.pins & HAL_ENABLE)) g.begun = 0;
+    for (int m = 0; m < 2; m++) g.motor[m] = (motor_t){.forward = g.level & DIR_PIN[m]};
     g.queue = queue;
     g.mask = slots - 1;
     g.head = g.tail = 0;
-    g.pulse = pulse_ticks;
+    g.pulse = pulse_ticks + NEAR_TICKS; /* it may end so much sooner */
     g.setup = setup_ticks + SETUP_MORE;
     g.slack = pulse_ticks / 2;
     g.set_pins = g.running = g.halted = false;
@@ -361,6 +501,7 @@ void stepgen_start(void) {
     uint32_t now = hal_now() + LEAD_TICKS;
     now += (GRID_TICKS - (now - g.begun)) % GRID_TICKS;
     g.now = g.end = g.begun = now;
+    g.edge = now - HAL_EDGE_GAP;
     hal_timer_arm(g.now);
 }
 
@@ -386,6 +527,12 @@ bool stepgen_pen_down(void) {
     return g.pins & HAL_PEN;
 }
 
+void stepgen_set_pins(uint32_t mask, uint32_t value) {
+    g.level = (g.level & ~mask) | (value & mask);
+    g.pins = (uint8_t)(g.level & (HAL_PEN | HAL_ENABLE));
+    hal_pins_write(mask, value);
+}
+
 void stepgen_set_position(int motor, int32_t steps) {
     g.motor[motor].moved = steps;
 }
@@ -397,6 +544,7 @@ static void unpark(void) {
     g.parked = false;
     put_off(now - g.now);
     g.now = g.slice_end = g.begun = now;
+    g.edge = now - HAL_EDGE_GAP;
     hal_timer_arm(now);
 }
 
@@ -443,7 +591,8 @@ bool stepgen_held(void) {
 
 void stepgen_halt(bool motors_on) {
     hal_timer_cancel();
-    halt(motors_on);
+    g.level = halt(motors_on);
+    hal_pins_write(HAL_X_STEP | HAL_Y_STEP | HAL_PEN | HAL_ENABLE, g.level);
 }
 
 bool stepgen_halted(void) {

@@ -3,7 +3,8 @@
  * A piece is a span of time in which each motor takes some steps in one direction at intervals that change linearly:
  * the first at `first`, then `interval`, growing by `add` each time. The motors are timed independently, so each steps
  * at its own exact moments instead of at the other one's. The interrupt only adds and compares: no multiplication, no
- * division. A step is two deadlines, pulse begin and pulse end; equal deadlines share one write of the pins.
+ * division. A step is two deadlines, pulse begin and pulse end; deadlines less than HAL_EDGE_GAP (3 ticks, 0.19 us)
+ * apart share one write of the pins, at the first of them, so no two writes are closer than that.
  *
  *      piece         |<------------------ length ------------------>|
  *      motor A       |   first   |interval|interval+add|  ...       |
@@ -66,6 +67,8 @@ bool stepgen_idle(void);
 int32_t stepgen_position(int motor);
 /* Is the pen down? As last written by a piece or a halt. */
 bool stepgen_pen_down(void);
+/* Pen and motors by hand, at rest. Context: main loop. */
+void stepgen_set_pins(uint32_t mask, uint32_t value);
 /* What the count begins at: after stepgen_init only. */
 void stepgen_set_position(int motor, int32_t steps);
 

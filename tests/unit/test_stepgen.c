@@ -16,6 +16,7 @@
 
 #define LOG_MAX 4096
 #define PULSE 32
+#define WIDTH (PULSE + HAL_EDGE_GAP - 1)
 #define SETUP 16
 #define EARLY (SETUP + 16) /* DIR before its step */
 
@@ -38,6 +39,7 @@ static void record(void *ctx, uint64_t tick, uint32_t pins, uint32_t changed) {
 static int begin(void **state) {
     (void)state;
     sim_reset();
+    stepgen_halt(false); /* motors off */
     stepgen_init(queue, 8, PULSE, SETUP);
     sim_record(record, NULL);
     logged = 0;
@@ -84,10 +86,10 @@ static void test_one_motor(void **state) {
     count_from(1, 1000);
     expect(0, 1000 - EARLY, HAL_X_DIR, HAL_X_DIR);
     expect(1, 1000, HAL_X_STEP, HAL_X_STEP);
-    expect(2, 1000 + PULSE, HAL_X_STEP, 0);
+    expect(2, 1000 + WIDTH, HAL_X_STEP, 0);
     expect(3, 1500, HAL_X_STEP, HAL_X_STEP);
     expect(5, 2100, HAL_X_STEP, HAL_X_STEP);
-    expect(6, 2100 + PULSE, HAL_X_STEP, 0);
+    expect(6, 2100 + WIDTH, HAL_X_STEP, 0);
     assert_int_equal(stepgen_position(0), 3);
     assert_int_equal(stepgen_position(1), 0);
     assert_int_equal(stepgen_starved(), 0);
@@ -115,11 +117,11 @@ static void test_two_motors(void **state) {
     count_from(1, 200);
     expect(0, 200 - EARLY, HAL_X_DIR | HAL_Y_DIR, HAL_X_DIR | HAL_Y_DIR);
     expect(1, 200, HAL_X_STEP | HAL_Y_STEP, HAL_X_STEP | HAL_Y_STEP);
-    expect(2, 200 + PULSE, HAL_X_STEP | HAL_Y_STEP, 0);
+    expect(2, 200 + WIDTH, HAL_X_STEP | HAL_Y_STEP, 0);
     expect(3, 500, HAL_X_STEP, HAL_X_STEP);
     expect(4, 510, HAL_Y_STEP, HAL_Y_STEP);
-    expect(5, 500 + PULSE, HAL_X_STEP, 0);
-    expect(6, 510 + PULSE, HAL_Y_STEP, 0);
+    expect(5, 500 + WIDTH, HAL_X_STEP, 0);
+    expect(6, 510 + WIDTH, HAL_Y_STEP, 0);
     assert_int_equal(logged, 7);
 }
 
@@ -130,7 +132,7 @@ static void test_turning(void **state) {
     push(steps(100, 0, 0, 1, false), NONE, 1000, true);
     run();
     count_from(1, 200);
-    expect(2, 200 + PULSE, HAL_X_STEP, 0);
+    expect(2, 200 + WIDTH, HAL_X_STEP, 0);
     expect(3, 310 - EARLY, HAL_X_DIR, 0);
     expect(4, 310, HAL_X_STEP, HAL_X_STEP);
     assert_int_equal(stepgen_position(0), 0);
@@ -218,12 +220,81 @@ static void test_late_at_every_deadline(void **state) {
         }
 }
 
+static uint32_t seed;
+static uint32_t below(uint32_t n) {
+    seed = seed * 1664525u + 1013904223u;
+    return (uint32_t)(((uint64_t)seed * n) >> 32);
+}
+
+static stepgen_axis_piece_t any_steps(uint32_t length) {
+    if (below(6) == 0) return NONE;
+    const uint32_t interval = 70 + below(below(4) ? 300 : 3000), n = 1 + below(length / (interval + 8));
+    stepgen_axis_piece_t a = steps(64 + below(100), interval, 0, n, below(4));
+    a.first_q32 += below(1u << 31);
+    a.interval_q32 += below(1u << 31);
+    a.add_q32 = (int64_t)((uint64_t)below(1u << 31) << 3) / (n + 1);
+    return a;
+}
+
+static void flip_hold(void *ctx) {
+    (void)ctx;
+    if (stepgen_holding())
+        stepgen_resume();
+    else
+        stepgen_hold();
+}
+
+/* The same random pieces, held and resumed now and then. */
+static void run_random(void **state, uint32_t with, bool ahead) {
+    static stepgen_piece_t long_queue[64];
+    begin(state);
+    stepgen_init(long_queue, 64, PULSE, SETUP);
+    sim_play_ahead(ahead);
+    seed = with;
+    for (int i = 0; i < 3; i++) sim_at(20000 + below(100000), flip_hold, NULL);
+    sim_at(200000, flip_hold, NULL);
+    for (int i = 0; i < 40; i++) {
+        const bool fast = i % 20 > 2 && i % 20 < 18;
+        const uint32_t length = 500 + below(8000);
+        stepgen_piece_t *p = stepgen_slot();
+        *p = (stepgen_piece_t){.axis = {any_steps(length), any_steps(length)}, .length = length, .rest = i == 39};
+        p->speed = fast ? 3000 : 100;
+        if (below(8) == 0) {
+            p->set_pins = true;
+            p->pins = HAL_ENABLE | (below(2) ? HAL_PEN : 0);
+        }
+        stepgen_push();
+    }
+    run();
+}
+
+/* Whether edges are made one by one or many in one go, they are the same, to the tick. */
+static void test_ahead(void **state) {
+    static entry_t one_by_one[LOG_MAX];
+    size_t all = 0;
+    for (uint32_t k = 1; k < 300; k++) {
+        run_random(state, k, false);
+        const size_t n = logged;
+        memcpy(one_by_one, entries, n * sizeof *entries);
+        for (size_t i = 1; i < n; i++)
+            if (entries[i].tick - entries[i - 1].tick < HAL_EDGE_GAP) fail_msg("seed %u, edge %zu: too close", k, i);
+        run_random(state, k, true);
+        for (size_t i = 0; i < n && i < logged; i++)
+            if (memcmp(&one_by_one[i], &entries[i], sizeof *entries) != 0) fail_msg("seed %u, edge %zu", k, i);
+        assert_int_equal(n, logged);
+        all += n;
+    }
+    printf("# %zu edges of random pieces with holds, made ahead and one by one: the same\n", all);
+    sim_play_ahead(true);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(test_one_motor, begin),  cmocka_unit_test_setup(test_fractions, begin),
         cmocka_unit_test_setup(test_two_motors, begin), cmocka_unit_test_setup(test_turning, begin),
         cmocka_unit_test_setup(test_pins, begin),       cmocka_unit_test_setup(test_starving, begin),
         cmocka_unit_test_setup(test_queue_full, begin), cmocka_unit_test_setup(test_late_at_every_deadline, begin),
+        cmocka_unit_test_setup(test_ahead, begin),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
