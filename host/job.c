@@ -102,7 +102,8 @@ static int draw(job_t *job, const plot_t *plot, picture_t *picture, watch_t *w) 
         /* exactly this much, though an earlier page may have needed more: the order of strokes depends on it */
         int err = picture_draw(picture, plot, job->lent, bytes, &pen, &hooks);
         w->begun[PICTURE_DONE] = progress_now();
-        bool area = plot->kind == PLOT_SOLIDS && plot->settings->hidden == HIDDEN_AREA;
+        bool solids = plot->kind == PLOT_SOLIDS || (plot->kind == PLOT_SURFACES && plot->settings->shadow);
+        bool area = solids && plot->settings->hidden == HIDDEN_AREA;
         if (!err && area && picture->area.intersections) note_intersections(picture->area.intersections);
         if (err != ERR_FULL) return err;
         if (bytes >= JOB_LENT_MAX) return no_memory(job, bytes);

@@ -27,7 +27,7 @@ static size_t kernel_part(size_t arena_bytes) {
 static size_t hiding_bytes(const plot_t *plot, int32_t each, bool holes) {
     const settings_t *s = plot->settings;
     if (!CONFIG_SOLIDS && (plot->kind == PLOT_SOLIDS || s->hidden == HIDDEN_HALO)) return 0;
-    if (plot->kind == PLOT_SOLIDS && s->hidden != HIDDEN_HORIZON) return picture_solids_bytes(plot);
+    if (picture_wants_solids(plot)) return picture_solids_bytes(plot);
     if (plot->kind == PLOT_CURVES || s->hidden == HIDDEN_NONE) return 0;
     if (s->hidden == HIDDEN_HORIZON) return horizon_bytes(each * s->samples[0]);
     if (s->hidden == HIDDEN_HALO) return picture_halo_bytes(plot, each);
@@ -134,7 +134,7 @@ static int run(picture_t *p, const pen_sink_t *pen) {
     int err;
     if (plot->kind == PLOT_CURVES)
         err = picture_curves(p, pen);
-    else if (plot->kind == PLOT_SOLIDS && !picture_is_terrain(plot))
+    else if (picture_wants_solids(plot))
         err = CONFIG_SOLIDS ? picture_solids(p, pen) : ERR_UNSUPPORTED;
     else if (plot->settings->hidden == HIDDEN_HORIZON)
         err = picture_profiles(p, pen);
@@ -151,7 +151,7 @@ static int run_pen(picture_t *p, int pen_number, const pen_sink_t *pen) {
     p->pens = (pens_t){.now = (uint8_t)pen_number};
     if (p->hooks) p->pens.announce = p->hooks->pen, p->pens.ctx = p->hooks->ctx;
     memset(p->pens.of_space, pen_of[LINE_CREASE], sizeof p->pens.of_space);
-    if (p->plot->kind == PLOT_SOLIDS) memcpy(p->pens.of_space, pen_of, LINE_CLASSES);
+    if (picture_wants_solids(p->plot)) memcpy(p->pens.of_space, pen_of, LINE_CLASSES);
     const pen_sink_t sink = pens_sink(&p->pens, pen);
     return run(p, &sink);
 }
@@ -224,7 +224,7 @@ size_t picture_bytes(const plot_t *plot) {
         if (plot->kind == PLOT_SURFACES) points += (size_t)item->surface.nx * (size_t)item->surface.ny;
         if (plot->kind == PLOT_CURVES) points += (size_t)item->curve.n;
     }
-    if (plot->kind == PLOT_SOLIDS) points += hiding_bytes(plot, EACH_ROUGH, true) / sizeof(int32_t);
+    if (picture_wants_solids(plot)) points += hiding_bytes(plot, EACH_ROUGH, true) / sizeof(int32_t);
     if (plot->settings->hidden == HIDDEN_HORIZON)
         points += (size_t)plot->settings->samples[0] * (size_t)plot->settings->isosamples[1];
     /* A run a point covers all but the roughest surfaces; a quarter of the rest goes to the kernel. */

@@ -9,7 +9,7 @@ uint32_t pens_wanted(const plot_t *plot) {
     const settings_t *s = plot->settings;
     uint32_t wanted = 1u << s->pen[LINE_CREASE];
     if (picture_is_hatched(plot)) wanted |= 1u << s->pen[LINE_HATCH];
-    if (plot->kind != PLOT_SOLIDS || picture_is_terrain(plot)) return wanted;
+    if (!picture_wants_solids(plot)) return wanted;
     wanted |= 1u << s->pen[LINE_SILHOUETTE];
     if (s->shadow && s->shadow_outline && s->hidden == HIDDEN_AREA) wanted |= 1u << s->pen[LINE_SHADOW];
     if (s->dashed) wanted |= 1u << s->pen[LINE_HIDDEN];

@@ -19,10 +19,15 @@ typedef struct meshes {
     const mesh_t *list[CONFIG_PLOT_ITEMS];
 } meshes_t;
 
+/* The area sort wants flat faces. */
+static bool wants_triangles(const plot_t *plot) {
+    return CONFIG_AREA && plot->settings->hidden == HIDDEN_AREA;
+}
+
 static void list_meshes(const plot_t *plot, meshes_t *m) {
     for (int32_t k = 0; k < plot->n; k++) {
         m->list[k] = plot->item[k].solid ? &plot->item[k].mesh : &m->of[k];
-        if (!plot->item[k].solid) surface_mesh_counts(&plot->item[k].surface, &m->of[k]);
+        if (!plot->item[k].solid) surface_mesh_counts(&plot->item[k].surface, wants_triangles(plot), &m->of[k]);
     }
 }
 
@@ -36,7 +41,7 @@ static size_t surfaces_bytes(const plot_t *plot) {
     size_t bytes = 0;
     for (int32_t k = 0; k < plot->n; k++) {
         const surface_t *s = &plot->item[k].surface;
-        if (!plot->item[k].solid) bytes += (SURFACE_MESH_BYTES(s->nx, s->ny) + 15) & ~(size_t)15;
+        if (!plot->item[k].solid) bytes += (SURFACE_MESH_BYTES(s->nx, s->ny, wants_triangles(plot)) + 15) & ~(size_t)15;
     }
     return bytes;
 }
@@ -66,12 +71,12 @@ static int make_surfaces(picture_t *p, meshes_t *m) {
     for (int32_t k = 0; k < plot->n; k++) {
         const surface_t *s = &plot->item[k].surface;
         if (plot->item[k].solid) continue;
-        size_t bytes = (SURFACE_MESH_BYTES(s->nx, s->ny) + 15) & ~(size_t)15;
+        size_t bytes = (SURFACE_MESH_BYTES(s->nx, s->ny, wants_triangles(plot)) + 15) & ~(size_t)15;
         if ((int64_t)s->nx * s->ny > INT32_MAX / 8 || bytes + 16 > arena_left(&p->arena)) return ERR_FULL;
         uintptr_t end = (uintptr_t)(p->arena.base + p->arena.bytes);
         p->arena.bytes -= bytes + end % 16;
-        surface_mesh(s, z->auto_lo ? NULL : &z->lo, z->auto_hi ? NULL : &z->hi, p->arena.base + p->arena.bytes,
-                     &m->of[k]);
+        surface_mesh(s, z->auto_lo ? NULL : &z->lo, z->auto_hi ? NULL : &z->hi, wants_triangles(plot),
+                     p->arena.base + p->arena.bytes, &m->of[k]);
         p->stats.evaluated += (int64_t)s->nx * s->ny;
     }
     return 0;
@@ -114,10 +119,10 @@ static int build(picture_t *p) {
 
 bool picture_is_hatched(const plot_t *plot) {
     const settings_t *set = plot->settings;
-    if (plot->kind == PLOT_SURFACES)
+    if (plot->kind == PLOT_SURFACES && !picture_wants_solids(plot))
         return set->hatch_um > 0 && set->hidden != HIDDEN_HORIZON && set->hidden != HIDDEN_HALO &&
                set->hidden != HIDDEN_NONE;
-    return plot->kind == PLOT_SOLIDS && set->hidden == HIDDEN_AREA && set->hatch_um > 0;
+    return picture_wants_solids(plot) && set->hidden == HIDDEN_AREA && set->hatch_um > 0;
 }
 
 void picture_setup_hatch(const picture_t *p, hatch_t *hatch) {
@@ -144,7 +149,7 @@ static int64_t hatch_runs(const picture_t *p) {
 
 static bool has_borders(const plot_t *plot) {
     const settings_t *set = plot->settings;
-    return plot->kind == PLOT_SOLIDS && set->hidden == HIDDEN_AREA && set->shadow && set->shadow_outline;
+    return picture_wants_solids(plot) && set->hidden == HIDDEN_AREA && set->shadow && set->shadow_outline;
 }
 
 /* A part of the memory keeps the lines that are no edges, as long as they are drawn. */
@@ -168,6 +173,9 @@ static int draw_area(picture_t *p, const hidden_job_t *job) {
     if (picture_is_hatched(p->plot)) tone.hatch = &p->hatch;
     if (has_borders(p->plot)) tone.borders = &p->borders;
     tone.lights = picture_lights(set, tone.light);
+    for (int32_t n = 0; n < tone.lights; n++) /* directions are those of the picture */
+        for (int k = 0; k < 3 && !tone.light[n].point; k++)
+            tone.light[n].at[k] = num_div(tone.light[n].at[k], p->camera.unit[k]);
     return area_draw(&p->solid_map, tone.hatch || tone.borders ? &tone : NULL, job, &p->stats.hidden, &p->area);
 }
 #else

@@ -29,6 +29,14 @@ int32_t picture_lights(const settings_t *set, light_t light[LIGHTS_MAX]);
 static inline bool picture_is_terrain(const plot_t *plot) {
     return plot->kind == PLOT_SOLIDS && plot->settings->hidden == HIDDEN_HORIZON;
 }
+/* Drawn as solids? So are surfaces alone if they are to cast shadows. */
+static inline bool picture_wants_solids(const plot_t *plot) {
+#if CONFIG_AREA
+    const settings_t *s = plot->settings;
+    if (plot->kind == PLOT_SURFACES && s->hidden == HIDDEN_AREA && s->shadow) return true;
+#endif
+    return plot->kind == PLOT_SOLIDS && !picture_is_terrain(plot);
+}
 
 /* The axes' box for a scene that reaches from lo to hi (x, y, z), and from it the camera. Rotation views take gnuplot's
  * box: whole tics on autoscaled axes, and the base plane below. */

@@ -1,4 +1,5 @@
 /* area_draw.c - visible edges from visible polygons: where one ends in an edge of the scene, the edge is visible. */
+#include "config.h"
 #include "hidden/area.h"
 #include "hidden/area_face.h"
 #include "hidden/area_tone.h"
@@ -6,6 +7,8 @@
 #include "hidden/line_class.h"
 
 #include "num/ints.h"
+
+#if CONFIG_AREA
 
 /* Of the memory, in eighths: to the parts of lines, and with hatching to the toner; the sort gets the rest. */
 enum { SHARES = 8, INTERVALS_SHARES = 2, TONE_SHARES = 3 };
@@ -130,3 +133,5 @@ int area_draw(const solid_map_t *m, const area_tone_t *tone, const hidden_job_t 
     if (!err) err = intervals_finish(&ink.parts, &use);
     return !err && tone && tone->borders ? emit_borders(&ink) : err;
 }
+
+#endif

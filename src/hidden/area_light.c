@@ -5,6 +5,8 @@
 #include "num/ints.h"
 #include "scene/solid_math.h"
 
+#if CONFIG_AREA
+
 #define LIGHT_PAGE_LAT ((int64_t)100 * LAT_PER_MM) /* the scene seen from the light reaches so far from the origin */
 
 /* ---- directions ---- */
@@ -43,8 +45,9 @@ int64_t light_slope(const light_t *l, const solid_map_t *m, int32_t face) {
     num_t normal[3], to[3];
     if (l->point) middle_of(m->solid, face, to);
     for (int k = 0; k < 3; k++) {
-        normal[k] = num_from_i64(n.n[k]);
-        to[k] = l->point ? num_sub(l->at[k], to[k]) : l->at[k];
+        const num_t unit = m->cam->unit[k]; /* a rotated view may show the axes in other proportions */
+        normal[k] = num_div(num_from_i64(n.n[k]), unit);
+        to[k] = num_mul(l->point ? num_sub(l->at[k], to[k]) : l->at[k], unit);
     }
     if (!unit_of(normal, normal) || !unit_of(to, to)) return 0;
     int64_t q30 = num_to_fixed(dot(normal, to), 30, NULL);
@@ -243,3 +246,5 @@ int lit_polygons(const lit_t *s, int32_t which, int32_t face, clip_out_t *out) {
     }
     return 0;
 }
+
+#endif

@@ -7,6 +7,7 @@
 #ifndef AREA_LIGHT_H
 #define AREA_LIGHT_H
 
+#include "config.h"
 #include "hidden/area.h"
 #include "hidden/area_face.h"
 
@@ -15,8 +16,8 @@ typedef struct light {
     bool point;
 } light_t;
 
-/* The cosine between a light and the side of a face that the eye sees, q30; negative where that looks away from it. A
- * point light is seen from the middle of the face's corners. */
+/* As seen in the map's view (camera_t.unit): the cosine between a light and the side of a face that the eye sees, q30;
+ * negative where that looks away from it. A point light is seen from the middle of the face's corners. */
 int64_t light_slope(const light_t *l, const solid_map_t *m, int32_t face);
 
 /* Lit polygons of all faces and lights, on the eye's lattice: blocks of words, a list for each light and face. */

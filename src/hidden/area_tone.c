@@ -5,6 +5,8 @@
 #include "num/ints.h"
 #include <string.h>
 
+#if CONFIG_AREA
+
 /* Of the toner's memory, in sixteenths: lit polygons; those of one face; parts before and after a light; the clipper.
  */
 #define LEAST_BYTES 1024
@@ -66,6 +68,7 @@ static int64_t full_light(const area_toner_t *t) {
         for (int k = 0; k < 3; k++) {
             num_t middle = num_ldexp(num_add(s->lo[k], s->hi[k]), -1);
             to[k] = t->tone.light[l].point ? num_sub(t->tone.light[l].at[k], middle) : t->tone.light[l].at[k];
+            to[k] = num_mul(to[k], t->m->cam->unit[k]);
             square = num_add(square, num_mul(to[k], to[k]));
         }
         num_t length = num_sqrt(square);
@@ -197,3 +200,5 @@ int area_toner_polygon(area_toner_t *t, int32_t face, const poly_t *p, int32_t f
 int64_t area_toner_intersections(const area_toner_t *t) {
     return t->lit.intersections;
 }
+
+#endif

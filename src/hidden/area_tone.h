@@ -10,6 +10,7 @@
 #ifndef AREA_TONE_H
 #define AREA_TONE_H
 
+#include "config.h"
 #include "hidden/area.h"
 #include "hidden/area_border.h"
 #include "hidden/area_light.h"

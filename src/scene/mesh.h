@@ -15,6 +15,10 @@
 #include "scene/packed.h"
 #include <stdint.h>
 
+/* In place of a cosine in smooth_q30: a surface whose cells are two triangles each. What runs across a cell is no line.
+ */
+#define MESH_GRID (-1)
+
 enum mesh_kind {
     MESH_FACE,   /* a polygon of count >= 3 vertices, which need not be different */
     MESH_LINE,   /* a polyline of count >= 2 vertices */

@@ -81,6 +81,8 @@ size_t solid_bytes(const mesh_t *const *mesh, int32_t n);
  * 0.5 us a corner on a desktop. */
 int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, size_t bytes);
 
+/* Does the edge run across a cell of a surface (MESH_GRID)? Then it is no line of the drawing. */
+bool solid_is_across(const solid_t *s, const solid_edge_t *e);
 /* Do the edge's two faces meet so flatly that `crease` leaves it to outlines? */
 bool solid_is_smooth(const solid_t *s, const solid_edge_t *e);
 

@@ -134,6 +134,24 @@ surfaces_are_shaded() {
     awk -v a="$(strokes 2 "$view; set light 0,0,-1" '(x-.5)**2+(y-.5)**2 < .01 ? NaN : 0')" -v b="$area" 'BEGIN { exit !((a - b * 4 * 60 / 64) ^ 2 < (.01 * b) ^ 2) }'
 }
 
+# A bowed sheet, its cells not flat, with a box over it: the shadow's border is one closed line, and no edge of a cell is.
+surfaces_take_shadows() {
+    cube
+    scene() {
+        printf 'set view from 5,-9,30 to 0,0,0\nset hidden3d area\nset shadow outline\nset pen shadow 2\nset isosamples 20\n%s\n' "$1" >mixed.gp
+        printf 'splot [-4:4][-4:4] %s\n' "$2" >>mixed.gp
+        ridgeline plot mixed.gp -o mixed.seg 2>ink.err && [ ! -s ink.err ] || { cat ink.err; return 1; }
+        awk 'BEGIN { pen = 1 } /^# pen/ { pen = $3 } /^#/ { next }
+            NF == 4 && pen == 2 { s += sqrt(($3 - $1) ^ 2 + ($4 - $2) ^ 2) } END { printf "%.3f", s }' mixed.seg
+    }
+    with=$(scene 'set light 1,1,3' '.05*x*y, "cube.obj" translate -0.5,-0.5,2')
+    flat=$(scene 'set light 1,1,3' '0*x*y, "cube.obj" translate -0.5,-0.5,2')
+    without=$(scene 'set light 1,1,3' '.05*x*y, "cube.obj" scale 0.001')
+    awk -v a="$without" 'BEGIN { exit !(a < .5) }' # no edge of a cell
+    awk -v a="$with" -v b="$flat" 'BEGIN { exit !(a > 20 && (a - b) ^ 2 < (.1 * b) ^ 2) }' || { echo "$with, $flat"; return 1; }
+    echo "# test_tone: the border of a box's shadow on a bowed sheet is $with mm long"
+}
+
 settings_are_answered() {
     printf 'show pen\nset pen 3\nshow pen\nset pen hatch 2, shadow 8\nshow pen\nset crease 30.5\nshow crease\nset hidden3d area outline\nshow hidden3d\n' >show.gp
     printf 'unset pen\nunset crease\nset hidden3d area silhouette\nshow pen\nshow crease\nunset hidden3d\nset hidden3d area\nshow hidden3d\nhelp pen\nhelp crease\n' >>show.gp
@@ -150,4 +168,4 @@ settings_are_answered() {
     done
 }
 
-run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own shadows_overlap lamps_cast_shadows_too surfaces_are_shaded settings_are_answered
+run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own shadows_overlap lamps_cast_shadows_too surfaces_are_shaded surfaces_take_shadows settings_are_answered
