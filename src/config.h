@@ -120,6 +120,18 @@ _Static_assert(CONFIG_DATA_COLUMNS < 64, "data_reader keeps one bit per column i
 #define CONFIG_SPEED_UM_S 100000
 #endif
 
+/* Drawing while the picture is still being computed: runs of ink that may wait for the machine (20 bytes each; 0: all
+ * is ordered first), what hiding a facet takes at most, and ordering a run (us). */
+#ifndef CONFIG_OUTBOX
+#define CONFIG_OUTBOX 0
+#endif
+#ifndef CONFIG_FACET_US
+#define CONFIG_FACET_US 100
+#endif
+#ifndef CONFIG_ORDER_US
+#define CONFIG_ORDER_US 1000
+#endif
+
 /* Width of a step pulse and how long DIR stands before it, by default (ns). What the drivers need, and not less than
  * what the chip's interrupt can keep. */
 #ifndef CONFIG_PULSE_NS

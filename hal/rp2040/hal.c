@@ -14,6 +14,7 @@ port_state_t port = {.invert = PORT_INVERT};
 
 void port_timer_isr(void) {
     TIMER_INTR = 2;
+    TIMER_INTF_CLR = 2;
     player_isr();
 }
 

@@ -51,11 +51,12 @@ static inline void port_until(uint32_t raw) {
     while ((int32_t)((PWM_CTR(CLOCK_SLICE) << 16) - raw) < 0) continue;
 }
 
-/* Two microseconds ahead at least: an alarm that has gone by while it is written would come in an hour. */
+/* Two microseconds ahead at least: an alarm that has gone by while it is written would come in an hour. Sooner, the
+ * timer's own request is forced: that of alarm 0 would make an emulator forget one made in the NVIC. */
 static inline void port_alarm(uint32_t at) {
     int32_t in = (int32_t)(at - port_now());
     if (in < 48)
-        irq_pend(PORT_IRQ_TIMER);
+        TIMER_INTF_SET = 1u << PORT_IRQ_TIMER;
     else
         TIMER_ALARM1 = TIMER_RAWL + ((uint32_t)in >> 4);
 }

@@ -84,6 +84,21 @@ pen_sink_t carriage_pen(carriage_t *c) {
     return (pen_sink_t){c, pen_move, pen_draw};
 }
 
+void carriage_wake(carriage_t *c) {
+    motion_wake(&c->motion);
+}
+
+bool carriage_ready(void *ctx) {
+    carriage_t *c = ctx;
+    return motion_ready(&c->motion);
+}
+
+int carriage_rest(void *ctx) {
+    carriage_t *c = ctx;
+    int err = look(c);
+    return err ? err : motion_rest(&c->motion);
+}
+
 int carriage_end(carriage_t *c, int err, motion_stats_t *stats) {
     int finish = 0;
     if (!c->stopping && !stepgen_halted()) finish = motion_finish(&c->motion, stats);

@@ -77,8 +77,17 @@ static int on_pen(void *ctx, int number) {
 }
 #endif
 
+/* What path_feed_t has to know of the machine. */
+static path_feed_t feed_of(console_t *c, const machine_t *m) {
+    const int32_t lat_per_ms = (int32_t)(((int64_t)m->draw_speed_um_s * LAT_PER_MM / 1000 + 999) / 1000);
+    return (path_feed_t){&c->carriage,   carriage_ready, carriage_rest,
+                         CONFIG_OUTBOX,  lat_per_ms,     (int32_t)(m->lift_us + m->lower_us),
+                         CONFIG_ORDER_US};
+}
+
 static int draw(console_t *c, const plot_t *plot) {
-    picture_hooks_t hooks = {.ctx = c, .progress = on_progress};
+    const path_feed_t feed = feed_of(c, &plot->settings->machine);
+    picture_hooks_t hooks = {.ctx = c, .progress = on_progress, .feed = CONFIG_OUTBOX ? &feed : NULL};
 #if CONFIG_AREA
     hooks.pen = on_pen;
 #endif

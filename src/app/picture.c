@@ -2,6 +2,7 @@
 #include "app/picture.h"
 
 #include "app/picture_stages.h"
+#include "config.h"
 #include "error.h"
 #include "hidden/horizon.h"
 #include "hidden/perimeter.h"
@@ -98,6 +99,7 @@ int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t r
     path_config_t config;
     path_default(&config, coarse);
     config.lines = growing;
+    if (p->hooks && !p->trial) config.feed = p->hooks->feed;
     size_t bytes = arena_left(&p->arena) - 15;
     if (runs < (int64_t)(bytes / PATH_BYTES_PER_RUN)) {
         size_t enough = PATH_BYTES((size_t)runs + POOL_RUNS_MIN, (size_t)growing * 2) * 8 / 7;
@@ -118,6 +120,11 @@ int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t r
     p->sink = inside ? p->cut.next : cut_sink(&p->cut);
     picture_tell(p, PICTURE_HIDE, 0, 1);
     return 0;
+}
+
+void picture_hidden(picture_t *p, int32_t done, int32_t of, int32_t facets) {
+    picture_tell(p, PICTURE_HIDE, done, of);
+    if (!p->trial) path_advance(&p->path, facets * CONFIG_FACET_US);
 }
 
 int picture_close(picture_t *p) {

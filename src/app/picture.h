@@ -58,6 +58,7 @@ typedef struct picture_hooks {
     int (*pen)(void *ctx, int number);
     /* Called when the view is known, before the first stroke; may be NULL. */
     void (*begin)(void *ctx, const camera_t *cam);
+    const path_feed_t *feed; /* draw while the picture is still being computed; or NULL */
 } picture_hooks_t;
 
 typedef struct picture_stats {

@@ -6,7 +6,8 @@
 #include "scene/bilinear.h"
 
 static void hide_tick(void *ctx, int32_t done, int32_t of) {
-    picture_tell(ctx, PICTURE_HIDE, done, of);
+    const picture_t *p = ctx;
+    picture_hidden(ctx, done, of, p->profiles.max_points);
 }
 
 /* A height of the function or between the data, undefined beyond `set zrange`. */

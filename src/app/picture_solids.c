@@ -10,7 +10,7 @@
 #include "view/dash.h"
 
 static void hide_tick(void *ctx, int32_t done, int32_t of) {
-    picture_tell(ctx, PICTURE_HIDE, done, of);
+    picture_hidden(ctx, done, of, 0);
 }
 
 /* The meshes of all items; those of surfaces have their counts only. */

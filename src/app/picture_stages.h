@@ -47,6 +47,8 @@ int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t r
 /* Draws what the pool still holds. */
 int picture_close(picture_t *p);
 void picture_tell(picture_t *p, enum picture_stage stage, int32_t done, int32_t of);
+/* So much is hidden, after so many facets more: draws what can be drawn meanwhile. */
+void picture_hidden(picture_t *p, int32_t done, int32_t of, int32_t facets);
 /* The kernel's share of the arena: half of a small one, a quarter of a large one. */
 void *picture_kernel_memory(picture_t *p, size_t *bytes);
 /* One horizon after the other, to save memory? */

@@ -10,8 +10,12 @@ static void measure_tick(void *ctx, int32_t done, int32_t of) {
     picture_tell(ctx, PICTURE_MEASURE, done, of);
 }
 
+/* Called once a row. */
 static void hide_tick(void *ctx, int32_t done, int32_t of) {
-    picture_tell(ctx, PICTURE_HIDE, done, of);
+    const picture_t *p = ctx;
+    int32_t facets = 0;
+    for (int32_t k = 0; k < p->spaces; k++) facets += p->grid[k].nx;
+    picture_hidden(ctx, done, of, facets);
 }
 
 static int64_t points_of(const surface_t *s) {

@@ -5,6 +5,7 @@
 #include "motion/root.h"
 
 #define PIECES_MAX 64
+#define ROOM 6 /* pieces in the queue, for a line: its three parts, and what parts them */
 #define DELAY_MAX_US 60000000u
 
 /* One tick more than the time asked for would be needed only if it fell between two ticks. */
@@ -101,13 +102,19 @@ void motion_on_wait(motion_t *m, void (*wait)(void *ctx), void *ctx) {
     m->tracer.wait_ctx = ctx;
 }
 
-static void trace(motion_t *m, bool ending) {
+static bool trace_one(motion_t *m, bool ending) {
     planner_move_t mv;
-    while (planner_take(&m->planner, ending, &mv)) tracer_move(&m->tracer, &mv);
+    if (!planner_take(&m->planner, ending, &mv)) return false;
+    tracer_move(&m->tracer, &mv);
+    return true;
+}
+
+static void trace(motion_t *m, bool ending) {
+    while (trace_one(m, ending)) continue;
 }
 
 static void add_line(motion_t *m, page_point_t to) {
-    if (planner_full(&m->planner)) trace(m, false);
+    if (planner_full(&m->planner)) trace_one(m, false);
     uint32_t length_q3 = planner_add(&m->planner, to);
     if (m->down)
         m->down_q3 += length_q3;
@@ -132,7 +139,7 @@ static void end_run(motion_t *m) {
 static void lift(motion_t *m) {
     if (!m->down) return;
     end_run(m);
-    m->down = false;
+    m->down = m->resting = false;
     m->stats.lifts++;
     tracer_wait(&m->tracer, m->machine.lift_us, HAL_ENABLE);
 }
@@ -177,6 +184,7 @@ static int check(motion_t *m, page_point_t to) {
 static int move(void *ctx, page_point_t to) {
     motion_t *m = ctx;
     if (check(m, to)) return m->error;
+    if (m->resting) lift(m);
     page_point_t here = m->pending_vertex ? m->vertex : m->at;
     m->pending_move = !(m->down && same(here, to));
     m->move_to = to;
@@ -211,6 +219,38 @@ int motion_travel(motion_t *m, page_point_t to) {
     m->pending_move = false;
     travel(m, to);
     return 0;
+}
+
+/* Lines whose speeds are settled, as far as the queue has room: tracer_move rarely makes more pieces than that. */
+static void serve(motion_t *m) {
+    while ((m->resting || m->planner.final > 0) && stepgen_room() >= ROOM && trace_one(m, m->resting)) continue;
+    if (m->resting && m->planner.count == 0) lift(m);
+}
+
+bool motion_ready(motion_t *m) {
+    if (m->error || m->estimate || stepgen_halted()) return true;
+    serve(m);
+    stepgen_start();
+    return !m->resting && stepgen_room() >= ROOM;
+}
+
+int motion_rest(motion_t *m) {
+    if (check(m, m->at)) return m->error;
+    if (!m->down || m->resting) return 0;
+    if (m->pending_vertex) add_line(m, m->vertex);
+    m->resting = true;
+    if (m->estimate)
+        lift(m);
+    else
+        serve(m);
+    return 0;
+}
+
+int motion_wake(motion_t *m) {
+    if (!m->started && !m->error) tracer_wait(&m->tracer, m->machine.enable_us, HAL_ENABLE);
+    m->started = true;
+    if (!m->estimate) stepgen_start();
+    return m->error;
 }
 
 /* Until everything is stepped. */

@@ -43,6 +43,7 @@ typedef struct motion {
     bool estimate; /* no stepping, only the time */
     bool started;  /* motors are on */
     bool down, pending_move, pending_vertex;
+    bool resting; /* the stroke is over: the pen will be lifted when the last of it is in the queue */
     uint64_t down_q3, up_q3;
     page_point_t at; /* last planned vertex */
     page_point_t move_to, vertex;
@@ -81,6 +82,14 @@ void motion_on_wait(motion_t *m, void (*wait)(void *ctx), void *ctx);
 pen_sink_t motion_pen_sink(motion_t *m);
 /* Pen up, straight to a point, as soon as what was given before is done. Errors as move. */
 int motion_travel(motion_t *m, page_point_t to);
+/* Motors on, ahead of the first stroke: their time to settle runs while it is computed. */
+int motion_wake(motion_t *m);
+/* Fills the queue from what is planned, and sets the machine going. Will the pen sink take a line without waiting for
+ * it? To be called now and then while lines are still being computed. */
+bool motion_ready(motion_t *m);
+/* The stroke is over and nothing is known of what follows: the pen is lifted after it, without waiting for that. Errors
+ * as move. */
+int motion_rest(motion_t *m);
 /* Lifts the pen and waits until everything is stepped. It stays where it is, motors on. As motion_finish otherwise. */
 int motion_park(motion_t *m, motion_stats_t *stats);
 /* Lifts the pen, goes home, waits until everything is stepped, switches the motors off; also after an error.

@@ -510,6 +510,11 @@ void stepgen_wake(uint32_t ticks) {
     hal_timer_arm(hal_now() + ticks);
 }
 
+uint32_t stepgen_room(void) {
+    uint32_t used = g.head - __atomic_load_n(&g.tail, __ATOMIC_ACQUIRE);
+    return g.mask + 1 - (g.halted ? 0 : used);
+}
+
 bool stepgen_idle(void) {
     return g.halted || (!__atomic_load_n(&g.running, __ATOMIC_ACQUIRE) && g.head == g.tail);
 }

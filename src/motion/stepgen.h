@@ -58,6 +58,8 @@ stepgen_piece_t *stepgen_slot(void);
 void stepgen_push(void);
 /* Starts the interrupt if it stands still and there is something to do, unless held. Context: main loop. */
 void stepgen_start(void);
+/* How many pieces the queue has room for. Context: main loop. */
+uint32_t stepgen_room(void);
 /* For hal_idle() on a chip that sleeps: makes sure that some interrupt comes within so many ticks. Context: main loop.
  */
 void stepgen_wake(uint32_t ticks);

@@ -64,6 +64,7 @@ int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near
     while (near_lat << CELL_BITS > 1 << c->shift) c->shift++;
     for (int32_t r = 0; r < pool->n; r++) {
         page_point_t *p = &c->point[2 * r];
+        pool_tick(pool);
         while (r < pool->n && !(pool_end_point(pool, map, 2 * r, p) && pool_end_point(pool, map, 2 * r + 1, p + 1))) {
             pool->run[r] = pool->run[--pool->n];
             lost++;
@@ -244,6 +245,7 @@ void chain_pair(chain_t *c) {
     enter_all(c);
     for (int32_t e = 0; e < 2 * c->pool->n; e++) {
         int32_t cluster[CLUSTER_MAX];
+        if (e % 16 == 0) pool_tick(c->pool);
         fetch_ahead(c, e);
         if (c->pool->mate[e] != FREE) continue;
         int n = chain_free_ends(c, c->point[e], cluster, CLUSTER_MAX), k = 0;

@@ -107,6 +107,7 @@ int32_t loop_open(chain_t *c) {
         meeting_t m;
         int32_t e;
         if (p->run[r].to_hi & RUN_SEEN) continue;
+        pool_tick(p);
         bool found = walk(c, 2 * r, &m);
         int32_t k = m.start >> 1;
         bool at_end = found && (m.t_q30 == pool_end_t(p, 2 * k) || m.t_q30 == pool_end_t(p, 2 * k + 1));

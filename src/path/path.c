@@ -15,6 +15,11 @@
  * that so many strokes take. */
 #define EFFORT_LEAST 4
 
+/* With a feed: strokes are settled when the pen has less than this to do, until it has that much. */
+#define FEED_LEAST_US 1000000
+#define FEED_ENOUGH_US 4000000
+#define FEED_MEMORY_PART 8 /* of the memory, at most, is the outbox */
+
 void path_default(path_config_t *c, uint32_t steps_per_mm_q16) {
     uint64_t step_q16 = steps_per_mm_q16 ? ((uint64_t)LAT_PER_MM << 32) / steps_per_mm_q16 : (uint64_t)LAT_PER_MM << 16;
     uint64_t step = (step_q16 + (1 << 15)) >> 16;
@@ -76,10 +81,58 @@ static void forget_drawn(pool_t *pool) {
     pool->n = n;
 }
 
-/* Orders what is in the pool and draws the first strokes of it, or all. */
-static int flush(path_t *p, bool all) {
+/* The next vertex of the outbox. */
+static int draw_next(path_t *p) {
+    const path_feed_t *feed = p->config.feed;
+    bool over;
+    int err = outbox_draw(&p->fed->outbox, p->map, &p->simplify, &p->stats.vertices, &over);
+    return !err && over && feed->rest ? feed->rest(feed->ctx) : err;
+}
+
+/* What the machine takes without waiting. */
+static void pump(path_t *p) {
+    const path_feed_t *feed = p->config.feed;
+    if (!p->fed) return;
+    while ((!feed->ready || feed->ready(feed->ctx)) && p->fed->outbox.n > 0 && !p->fed->error)
+        p->fed->error = draw_next(p);
+}
+
+static void pump_tick(void *ctx) {
+    pump(ctx);
+}
+
+static int drain(path_t *p) {
+    while (p->fed->outbox.n > 0 && !p->fed->error) p->fed->error = draw_next(p);
+    return p->fed->error;
+}
+
+/* The pen will have so much to do with a run, at least. */
+static int32_t run_us(const path_t *p, int32_t e) {
+    page_point_t a, b;
+    if (!pool_end_point(&p->pool, p->map, e, &a) || !pool_end_point(&p->pool, p->map, pool_other_end(e), &b)) return 0;
+    return (int32_t)((int64_t)dist_between(a, b) * 1000 / p->config.feed->lat_per_ms) + 1;
+}
+
+/* Moves a stroke from the pool into the outbox. */
+static int settle(path_t *p, int32_t start) {
+    pool_t *pool = &p->pool;
+    for (int32_t e = start; e >= 0 && !p->fed->error;) {
+        const int32_t far = pool_other_end(e), next = pool->mate[far];
+        while (outbox_full(&p->fed->outbox) && !p->fed->error) p->fed->error = draw_next(p);
+        const int32_t us = run_us(p, e) + (next < 0 ? p->config.feed->stroke_us : 0);
+        outbox_put(&p->fed->outbox, &pool->run[e >> 1], e & 1, next < 0, us);
+        pool->run[e >> 1].to_hi |= RUN_DRAWN;
+        p->fed->ahead_us += us;
+        if (p->fed->ahead_us > p->fed->outbox.us) p->fed->ahead_us = p->fed->outbox.us;
+        if (next < 0) pool_end_point(pool, p->map, far, &p->leaves);
+        e = next;
+    }
+    return p->fed->error;
+}
+
+/* all: nothing can come that continues a stroke. improve: there is time for it. */
+static void order(path_t *p, tour_t *tour, bool all, bool improve) {
     chain_t chain;
-    tour_t tour;
     pool_t *pool = &p->pool;
     p->stats.lost += chain_place(&chain, pool, p->map, p->config.step_lat / 4);
     account_arrivals(p, &chain, p->kept < pool->n ? p->kept : pool->n);
@@ -87,33 +140,70 @@ static int flush(path_t *p, bool all) {
     chain_close(&chain);
     loop_open(&chain);
     if (all) drop_dots(p, &chain);
-    tour_collect(&tour, &chain, p->at, p->config.home);
-    tour_greedy(&tour);
-    int64_t operations = (int64_t)p->config.effort * tour.n;
+    tour_collect(tour, &chain, p->leaves, p->config.home);
+    pump(p);
+    tour_greedy(tour);
+    pump(p);
+    int64_t operations = improve ? (int64_t)p->config.effort * tour->n : 0;
     if (operations > p->config.effort_max) operations = p->config.effort_max;
-    if (operations < (int64_t)EFFORT_LEAST * tour.n) operations = 0;
-    tour_improve(&tour, operations);
-    tour_settle(&tour);
-    int32_t count = all ? tour.n : (tour.n + FLUSH_PART - 1) / FLUSH_PART;
+    if (operations < (int64_t)EFFORT_LEAST * tour->n) operations = 0;
+    tour->tick = pool->tick;
+    tour->tick_ctx = p;
+    tour_improve(tour, operations);
+    tour_settle(tour);
+}
+
+/* Orders what is in the pool (as it comes, if the pen waits for it) and draws, or settles, the first strokes of it:
+ * all, a part to make room, or until the pen has enough to do. */
+enum flush { FLUSH_ALL, FLUSH_ROOM, FLUSH_FEED };
+static int flush(path_t *p, enum flush why) {
+    const bool all = why == FLUSH_ALL;
+    const int64_t until_us = why == FLUSH_FEED ? FEED_ENOUGH_US : INT64_MAX;
+    pool_t *pool = &p->pool;
+    tour_t tour;
+    order(p, &tour, all, why != FLUSH_FEED);
+    const int32_t count = why == FLUSH_ROOM ? (tour.n + FLUSH_PART - 1) / FLUSH_PART : tour.n;
+    int err = !p->fed ? 0 : all ? drain(p) : p->fed->error;
     p->drawing = tour.n;
-    for (int32_t k = 0; k < count; k++) {
+    for (int32_t k = 0; !err && k < count && (!p->fed || p->fed->ahead_us < until_us); k++) {
         p->drawn = k;
         tour_fetch(&tour, pool, k);
         int32_t start = tour_stroke(&tour, pool, k);
         if (!all && drop_if_dot(p, tour.point, start)) continue;
-        int err = emit_stroke(pool, p->map, tour.point, start, &p->simplify, &p->stats.vertices);
-        if (err) return err;
+        if (p->fed && !all)
+            err = settle(p, start);
+        else
+            err = emit_stroke(pool, p->map, tour.point, start, &p->simplify, &p->stats.vertices);
     }
+    if (err) return err;
+    if (!p->fed) p->leaves = p->at;
     p->drawing = p->drawn = 0;
     forget_drawn(pool);
     p->kept = pool->n;
     return 0;
 }
 
+int path_advance(path_t *p, int32_t us) {
+    if (!p->fed) return 0;
+    pump(p);
+    p->fed->ahead_us -= us;
+    const bool half =
+        p->fed->outbox.filled && p->fed->outbox.us < 2 * FEED_LEAST_US; /* more than it can hold is no use */
+    if (p->fed->ahead_us > (half ? p->fed->outbox.us / 2 : FEED_LEAST_US) || p->pool.n == 0 || p->fed->error)
+        return p->fed->error;
+    return flush(p, FLUSH_FEED);
+}
+
+/* What is in the pool will be put in order, which takes time. */
+static int before_order(path_t *p) {
+    return p->fed ? path_advance(p, p->pool.n * p->config.feed->order_us) : 0;
+}
+
 static int take_run(void *ctx, const ink_piece_t *run) {
     path_t *p = ctx;
     if (p->pool.n == p->pool.cap) {
-        int err = flush(p, false);
+        int err = before_order(p);
+        if (!err && p->pool.n == p->pool.cap) err = flush(p, FLUSH_ROOM);
         if (err) return err;
         p->stats.flushes++;
     }
@@ -139,16 +229,27 @@ int path_init(path_t *p, void *mem, size_t bytes, const path_config_t *c, const 
     size_t skip = (8 - (uintptr_t)mem % 8) % 8, left = bytes - skip;
     uint32_t pairs = 1;
     while (wants_pairs(c, 2 * pairs, left)) pairs *= 2;
-    *p = (path_t){.config = *c, .map = map, .pen = pen, .at = c->home, .arrival_at = c->home};
+    *p = (path_t){.config = *c, .map = map, .pen = pen, .at = c->home, .leaves = c->home, .arrival_at = c->home};
     join_init(&p->join, (uint8_t *)mem + skip, pairs, c->step_lat / 4, map, (ink_sink_t){p, take_run});
     left -= JOIN_BYTES(pairs);
+    const size_t waiting = c->feed ? (size_t)c->feed->runs : 0;
+    size_t fed = waiting ? sizeof(path_fed_t) + OUTBOX_BYTES(waiting) : 0;
+    if (fed > left / FEED_MEMORY_PART) fed = 0;
+    left = (left - fed) / 8 * 8;
     size_t cap = left / POOL_BYTES_PER_RUN - 1;
     if (cap > POOL_RUNS_MAX) cap = POOL_RUNS_MAX;
     p->pool.cap = (int32_t)cap;
     p->pool.run = (run_t *)(void *)((uint8_t *)mem + skip + JOIN_BYTES(pairs));
     p->pool.mate = (int32_t *)(void *)(p->pool.run + cap + 1);
     p->pool.work = (uint32_t *)(void *)(p->pool.mate + 2 * (cap + 1));
-    p->stats.bytes = JOIN_BYTES(pairs) + POOL_BYTES(cap);
+    p->stats.bytes = JOIN_BYTES(pairs) + POOL_BYTES(cap) + fed;
+    if (fed) {
+        p->fed = (path_fed_t *)(void *)((uint8_t *)p->pool.run + left);
+        *p->fed = (path_fed_t){.ahead_us = 0};
+        outbox_init(&p->fed->outbox, (outbox_run_t *)(void *)(p->fed + 1), (int32_t)waiting);
+        p->pool.tick = pump_tick;
+        p->pool.tick_ctx = p;
+    }
     simplify_init(&p->simplify, c->step_lat / 8, (pen_sink_t){p, pen_move, pen_draw});
     return 0;
 }
@@ -171,7 +272,8 @@ int path_polyline(path_t *p, uint8_t surface, int32_t line, int32_t vertices) {
 
 int path_finish(path_t *p, path_stats_t *stats) {
     int err = join_finish(&p->join);
-    if (!err) err = flush(p, true);
+    if (!err) err = before_order(p);
+    if (!err) err = flush(p, FLUSH_ALL);
     p->stats.pieces = p->join.pieces;
     p->stats.up_lat += dist_between(p->at, p->config.home);
     p->stats.up_arrival_lat += dist_between(p->arrival_at, p->config.home);

@@ -7,7 +7,9 @@
  * is there is ordered, the first strokes of that order are drawn, and the rest stays to meet what is still to come. So
  * any amount of memory from PATH_BYTES_MIN on draws everything; more memory means fewer strokes and less
  * travel (tests/property/test_path_random.c prints how much).
- * The result depends on the pieces, the configuration and the pool's size only, on every target.
+ * A machine that draws while more is computed is fed (path_feed_t): what is settled waits in an outbox and is drawn as
+ * it is taken, and so much is settled that the pen has something to do until the next ink comes.
+ * The result depends on the pieces, the configuration and the pool's size only, on every target, and never on time.
  *
  * Cost per piece: a few comparisons. Per run: two points to place it, near-linear ordering whose operations are counted
  * and bounded (never timed), one point for each of its vertices. */
@@ -15,8 +17,21 @@
 #define PATH_H
 
 #include "path/join.h"
+#include "path/outbox.h"
 #include "path/pool.h"
 #include "path/simplify.h"
+
+/* Drawing begins before all ink is there. How long the pen has to do is reckoned from below: the chords of runs at full
+ * speed; how long computing takes from above. So the same ink gives the same strokes however fast the processor is. */
+typedef struct path_feed {
+    void *ctx;
+    bool (*ready)(void *ctx); /* does the pen take a vertex at once? NULL: always */
+    int (*rest)(void *ctx);   /* the stroke is over, lift the pen. Returns as the pen does; may be NULL */
+    int32_t runs;             /* that may wait in the outbox, if there is memory */
+    int32_t lat_per_ms;       /* how fast the pen draws */
+    int32_t stroke_us;        /* and how long it takes to lift and lower it */
+    int32_t order_us;         /* to put a run in order, at most */
+} path_feed_t;
 
 typedef struct path_config {
     int32_t step_lat; /* one motor step; 410 at 80 steps/mm. All tolerances derive from it: ends within a quarter
@@ -29,6 +44,7 @@ typedef struct path_config {
                            times as many; beyond some 10,000 lifting the pen takes hours, and what travel could still be
                            saved, minutes */
     page_point_t home;  /* where the pen starts and where it goes after the last stroke */
+    const path_feed_t *feed; /* NULL: nothing is drawn before the pool is full or all ink is there */
 } path_config_t;
 
 typedef struct path_stats {
@@ -46,6 +62,13 @@ typedef struct path_stats {
     size_t bytes;           /* memory used */
 } path_stats_t;
 
+/* What only a path with a feed has. */
+typedef struct path_fed {
+    outbox_t outbox;
+    int64_t ahead_us; /* what the pen has to do, less what computing has taken: see path_feed_t */
+    int error;        /* of the pen, while strokes were being put in order */
+} path_fed_t;
+
 typedef struct path {
     path_config_t config;
     const ink_map_t *map;
@@ -53,7 +76,9 @@ typedef struct path {
     join_t join;
     pool_t pool;
     simplify_t simplify;
+    path_fed_t *fed;             /* in the lent memory, or NULL */
     page_point_t at, arrival_at; /* where the pen is, and would be without ordering */
+    page_point_t leaves;         /* where it will be when all that is settled is drawn */
     int32_t kept;                /* runs in the pool that have been through a flush */
     int32_t drawing, drawn;      /* while strokes of the pool are drawn: how many there are, and which */
     int64_t vertices;            /* of all runs taken so far; stats.vertices counts them as they are drawn */
@@ -77,6 +102,10 @@ int path_init(path_t *p, void *mem, size_t bytes, const path_config_t *c, const 
 /* Where a kernel puts its ink; any order, any family, several kernels one after another. Errors: ERR_VALUE for a piece
  * outside run.h's ranges, else what the pen sink returned. */
 ink_sink_t path_sink(path_t *p);
+/* To be called between pieces, at places that depend on the scene only. us: what computing since the last call took at
+ * most. With a feed it draws what the pen takes, and settles strokes when it will soon have nothing to do. Returns 0 or
+ * the error of the pen sink. */
+int path_advance(path_t *p, int32_t us);
 /* A flat polyline of so many vertices as one piece of family INK_CURVE. */
 int path_polyline(path_t *p, uint8_t surface, int32_t line, int32_t vertices);
 /* Draws all that is left. The pen is not sent home: that is the machine's. Returns 0 or the error of the pen sink;

@@ -20,10 +20,16 @@
 
 typedef struct pool {
     int32_t n, cap;
-    run_t *run;     /* cap */
-    int32_t *mate;  /* 2 * cap */
-    uint32_t *work; /* POOL_WORK_PER_RUN * (cap + 1) bytes, aligned for uint32_t */
+    run_t *run;              /* cap */
+    int32_t *mate;           /* 2 * cap */
+    uint32_t *work;          /* POOL_WORK_PER_RUN * (cap + 1) bytes, aligned for uint32_t */
+    void (*tick)(void *ctx); /* called now and then while runs are put in order, or NULL */
+    void *tick_ctx;
 } pool_t;
+
+static inline void pool_tick(const pool_t *p) {
+    if (p->tick) p->tick(p->tick_ctx);
+}
 
 static inline int32_t pool_other_end(int32_t e) {
     return e ^ 1;

@@ -24,7 +24,9 @@ typedef struct tour {
     spot_t *spot;   /* 2 (n + 1) items */
     const page_point_t *point; /* of every end of a run, if there was memory to keep them; or NULL */
     near_t near;
-    int64_t budget; /* operations left: a distance computed, or four places moved, is one */
+    int64_t budget;          /* operations left: a distance computed, or four places moved, is one */
+    void (*tick)(void *ctx); /* called now and then by tour_improve, or NULL */
+    void *tick_ctx;
 } tour_t;
 
 /* Takes the free ends out of the chain, whose arrays end with this (they share memory). `at` is where the pen is,

@@ -1,0 +1,62 @@
+/* outbox.c - see outbox.h. */
+#include "path/outbox.h"
+
+void outbox_init(outbox_t *o, outbox_run_t *run, int32_t cap) {
+    *o = (outbox_t){.run = run, .cap = cap};
+    for (int32_t k = 0; k < cap; k++) run[k].us = 0;
+}
+
+static outbox_run_t *place(outbox_t *o, int32_t k) {
+    int32_t at = o->first + k;
+    return &o->run[at < o->cap ? at : at - o->cap];
+}
+
+void outbox_put(outbox_t *o, const run_t *run, int side, bool ends, int32_t us) {
+    outbox_run_t *to = place(o, o->n++);
+    if (to->us) o->filled = true;
+    o->us += us - to->us;
+    to->us = us;
+    to->run = *run;
+    to->run.to_hi &= (1u << RUN_HI_BITS) - 1;
+    if (side) to->run.to_hi |= OUTBOX_BACK;
+    if (ends) to->run.to_hi |= OUTBOX_ENDS;
+}
+
+/* The vertex after t on the way to `to`: whole parameters, then the end. */
+static int64_t step(int64_t t, int64_t to) {
+    if (t < to) {
+        int64_t next = ((t >> 30) + 1) * INK_ONE;
+        return next < to ? next : to;
+    }
+    int64_t next = ((t - 1) >> 30) * INK_ONE;
+    return next > to ? next : to;
+}
+
+int outbox_draw(outbox_t *o, const ink_map_t *map, simplify_t *out, int64_t *vertices, bool *over) {
+    const run_t *r = &o->run[o->first].run;
+    const uint32_t flags = r->to_hi;
+    int side = flags & OUTBOX_BACK ? 1 : 0;
+    page_point_t p;
+    *over = false;
+    if (o->started) {
+        o->t_q30 = step(o->t_q30, o->last_q30);
+    } else {
+        o->t_q30 = run_t_of(r, side);
+        o->last_q30 = run_t_of(r, 1 - side);
+        o->started = true;
+    }
+    ++*vertices;
+    int err = 0;
+    if (map->point(map->ctx, run_family(r), run_surface(r), r->line, o->t_q30, &p)) {
+        err = o->begun ? simplify_draw(out, p) : simplify_move(out, p);
+        o->begun = true;
+    }
+    if (err || o->t_q30 != o->last_q30) return err;
+    o->first = o->first + 1 < o->cap ? o->first + 1 : 0;
+    o->n--;
+    o->started = false;
+    if (!(flags & OUTBOX_ENDS)) return 0;
+    o->begun = false;
+    *over = true;
+    return simplify_finish(out);
+}
