@@ -84,7 +84,9 @@ void hal_trip(uint32_t limits);
  * the machine steps: some chips stand still meanwhile. Both return 0 or ERR_FILE (write: what was read back differs).
  * bytes up to HAL_STORE_BYTES; buf of a write aligned to 4. A slot never written reads as 0xff. */
 #define HAL_STORE_SLOTS 4
-#define HAL_STORE_BYTES 4096u
+#ifndef HAL_STORE_BYTES
+#define HAL_STORE_BYTES 4096u /* boards.mk may say less where pages of flash are smaller */
+#endif
 int hal_store_read(int slot, void *buf, size_t bytes);
 int hal_store_write(int slot, const void *buf, size_t bytes);
 
