@@ -12,7 +12,9 @@ uint32_t pens_wanted(const plot_t *plot) {
     if (!picture_wants_solids(plot)) return wanted;
     wanted |= 1u << s->pen[LINE_SILHOUETTE];
     if (s->shadow && s->shadow_outline && s->hidden == HIDDEN_AREA) wanted |= 1u << s->pen[LINE_SHADOW];
-    if (s->dashed) wanted |= 1u << s->pen[LINE_HIDDEN];
+    bool dashed = s->dashed;
+    for (int32_t k = 0; k < plot->n; k++) dashed |= plot->item[k].solid && plot->item[k].mesh.clear;
+    if (dashed) wanted |= 1u << s->pen[LINE_HIDDEN];
     return wanted;
 }
 

@@ -167,7 +167,7 @@ static int setup_tones(picture_t *p) {
     return 0;
 }
 
-static int draw_area(picture_t *p, const hidden_job_t *job) {
+static int draw_area(picture_t *p, const ink_sink_t *behind, const hidden_job_t *job) {
     const settings_t *set = p->plot->settings;
     area_tone_t tone = {.shadow = set->shadow};
     if (picture_is_hatched(p->plot)) tone.hatch = &p->hatch;
@@ -176,15 +176,15 @@ static int draw_area(picture_t *p, const hidden_job_t *job) {
     for (int32_t n = 0; n < tone.lights; n++) /* directions are those of the picture */
         for (int k = 0; k < 3 && !tone.light[n].point; k++)
             tone.light[n].at[k] = num_div(tone.light[n].at[k], p->camera.unit[k]);
-    return area_draw(&p->solid_map, tone.hatch || tone.borders ? &tone : NULL, job, &p->stats.hidden, &p->area);
+    return area_draw(&p->solid_map, tone.hatch || tone.borders ? &tone : NULL, behind, job, &p->stats.hidden, &p->area);
 }
 #else
 static int64_t hatch_runs(const picture_t *p) {
     (void)p;
     return 0;
 }
-static int draw_area(picture_t *p, const hidden_job_t *job) {
-    (void)p, (void)job;
+static int draw_area(picture_t *p, const ink_sink_t *behind, const hidden_job_t *job) {
+    (void)p, (void)behind, (void)job;
     return ERR_UNSUPPORTED;
 }
 #endif
@@ -194,7 +194,7 @@ static int hide(picture_t *p, const ink_sink_t *dashes, const hidden_job_t *job)
     const settings_t *set = p->plot->settings;
     if (set->hidden == HIDDEN_NONE) return wires_draw(&p->solid_map, job, &p->stats.hidden);
     if (set->hidden == HIDDEN_HALO) return picture_halo_solids(p, job);
-    if (set->hidden == HIDDEN_AREA) return draw_area(p, job);
+    if (set->hidden == HIDDEN_AREA) return draw_area(p, dashes, job);
     return convex_draw(&p->solid_map, set->dashed ? dashes : NULL, job, &p->stats.hidden);
 }
 

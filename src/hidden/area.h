@@ -58,9 +58,10 @@ int area_sort(const solid_map_t *m, void *mem, size_t bytes, const area_sink_t *
               void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx, area_stats_t *stats);
 struct area_tone; /* area_tone.h */
 /* Emits the visible parts of all edges as INK_SEGMENT, surface 0; with a tone (may be NULL) hatching too, as INK_CURVE
- * on surface LINE_HATCH, and borders of shadows on LINE_SHADOW. Returns as area_sort, and ERR_VALUE or ERR_LIGHT for a
- * light that cannot be used. */
-int area_draw(const solid_map_t *m, const struct area_tone *tone, const hidden_job_t *job, hidden_stats_t *stats,
-              area_stats_t *area);
+ * on surface LINE_HATCH, and borders of shadows on LINE_SHADOW. What is seen of edges only through translucent objects
+ * goes to behind, unless that is NULL: then they are like others. Two sorts then: what is seen without them, and with
+ * them. Returns as area_sort, and ERR_VALUE or ERR_LIGHT for a light that cannot be used. */
+int area_draw(const solid_map_t *m, const struct area_tone *tone, const ink_sink_t *behind, const hidden_job_t *job,
+              hidden_stats_t *stats, area_stats_t *area);
 
 #endif

@@ -20,7 +20,10 @@ enum { SHARES = 8, INTERVALS_SHARES = 2, TONE_SHARES = 3 };
 
 typedef struct edge_ink {
     area_lattice_t lattice;
-    intervals_t parts;
+    intervals_t parts;   /* what is seen: edges and hatch lines */
+    intervals_t through; /* what can be seen of edges, if not only through what is translucent */
+    intervals_t *edges;  /* where those of this pass go */
+    bool clear;          /* the second pass: the first has hatched what is not translucent */
     const ink_sink_t *sink;
     hidden_stats_t *stats;
     area_toner_t *toner; /* NULL: no hatching */
@@ -47,7 +50,7 @@ static int32_t parameter(const poly_point_t end[2], poly_point_t p) {
 
 static int take_polygon(void *ctx, int32_t face, const poly_t *p) {
     edge_ink_t *ink = ctx;
-    if (ink->toner) {
+    if (ink->toner && (!ink->clear || solid_is_clear(ink->lattice.m->solid, face))) {
         int err = area_toner_polygon(ink->toner, face, p, ink->lattice.m->solid->ne, &ink->parts);
         if (err) return err;
     }
@@ -56,7 +59,7 @@ static int take_polygon(void *ctx, int32_t face, const poly_t *p) {
             area_edge_t e;
             if (p->v[k].tag < 0 || !area_edge(&ink->lattice, p->v[k].tag, &e)) continue;
             int32_t a = parameter(e.end, p->v[k].at), b = parameter(e.end, p->v[k + 1 < p->end[c] ? k + 1 : first].at);
-            int err = intervals_add(&ink->parts, p->v[k].tag, a < b ? a : b, a < b ? b : a);
+            int err = intervals_add(ink->edges, p->v[k].tag, a < b ? a : b, a < b ? b : a);
             if (err) return err;
         }
     return 0;
@@ -64,7 +67,7 @@ static int take_polygon(void *ctx, int32_t face, const poly_t *p) {
 
 static int take_wire(void *ctx, int32_t edge, int32_t from_q30, int32_t to_q30) {
     edge_ink_t *ink = ctx;
-    return intervals_add(&ink->parts, edge, from_q30, to_q30);
+    return intervals_add(ink->edges, edge, from_q30, to_q30);
 }
 
 static int32_t least(void *ctx, int32_t line) {
@@ -110,28 +113,47 @@ static int emit_borders(edge_ink_t *ink) {
     return 0;
 }
 
-int area_draw(const solid_map_t *m, const area_tone_t *tone, const hidden_job_t *job, hidden_stats_t *stats,
-              area_stats_t *area) {
+static bool has_clear(const solid_t *s) {
+    for (int32_t o = 0; o < s->no; o++)
+        if (s->object[o].clear) return true;
+    return false;
+}
+
+int area_draw(const solid_map_t *m, const area_tone_t *tone, const ink_sink_t *behind, const hidden_job_t *job,
+              hidden_stats_t *stats, area_stats_t *area) {
     *stats = (hidden_stats_t){.edges = m->solid->ne};
     edge_ink_t ink = {.lattice = area_lattice(m), .sink = job->sink, .stats = stats, .tone = tone};
+    ink.clear = behind && has_clear(m->solid);
     size_t part = job->bytes / SHARES & ~(size_t)7, tone_bytes = tone ? part * TONE_SHARES : 0;
     if (tone && !tone->shadow && area_toner_bytes(m) < tone_bytes) tone_bytes = area_toner_bytes(m);
     size_t sort_bytes = part * (SHARES - INTERVALS_SHARES) - tone_bytes;
-    uint8_t *mem = job->mem;
-    intervals_init(&ink.parts, mem + sort_bytes + tone_bytes, part * INTERVALS_SHARES);
-    if (tone) {
-        int err = area_toner_make(&ink.toner, tone, m, mem + sort_bytes, tone_bytes, mem, sort_bytes);
-        if (err) return err;
-    }
+    uint8_t *mem = job->mem, *intervals = mem + sort_bytes + tone_bytes;
+    intervals_init(&ink.parts, intervals, part * INTERVALS_SHARES / (ink.clear ? 2 : 1));
+    intervals_init(&ink.through, intervals + part, ink.clear ? part : 0);
+    _Static_assert(INTERVALS_SHARES == 2, "a share for each");
+    int err = 0;
+    if (tone) err = area_toner_make(&ink.toner, tone, m, mem + sort_bytes, tone_bytes, mem, sort_bytes);
     const area_sink_t sink = {&ink, take_polygon, take_wire};
-    int err = area_sort(m, mem, sort_bytes, &sink, job->tick, job->tick_ctx, area);
-    if (tone && area_toner_intersections(ink.toner) > area->intersections)
+    if (!err && ink.clear) { /* all that is seen as if nothing translucent were there */
+        solid_map_t through = *m;
+        through.through = true;
+        ink.edges = &ink.through;
+        ink.clear = false;
+        err = area_sort(&through, mem, sort_bytes, &sink, NULL, NULL, area);
+        ink.clear = true;
+    }
+    ink.edges = &ink.parts;
+    if (!err) err = area_sort(m, mem, sort_bytes, &sink, job->tick, job->tick_ctx, area);
+    if (tone && !err && area_toner_intersections(ink.toner) > area->intersections)
         area->intersections = area_toner_intersections(ink.toner);
     stats->facets = area->polygons;
     stats->bytes = job->bytes;
     const interval_use_t use = {&ink, least, emit};
     if (!err) err = intervals_finish(&ink.parts, &use);
-    return !err && tone && tone->borders ? emit_borders(&ink) : err;
+    if (!err && tone && tone->borders) err = emit_borders(&ink);
+    if (err || !ink.clear) return err;
+    ink.sink = behind;
+    return intervals_less(&ink.through, &ink.parts, &use);
 }
 
 #endif

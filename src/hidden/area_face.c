@@ -184,8 +184,10 @@ int area_faces_make(area_faces_t *faces, int32_t *corner_edge, uint8_t *state, a
         area_face_t *f = &faces->face[faces->n];
         poly_vertex_t *v = faces->vertex + faces->vertices;
         state[k] = AREA_TURNED_AWAY;
-        if (is_turned_away(m, k)) continue;
+        const bool through = m->through && solid_is_clear(m->solid, k);
+        if (!through && is_turned_away(m, k)) continue;
         state[k] = AREA_LEFT_OUT;
+        if (through) continue;
         int32_t n = place(l, &s->face[k], corner_edge, v, scratch, AREA_CORNERS(l->clips, most));
         if (n < 0) return n;
         *f = (area_face_t){.face = k, .first = faces->vertices, .n = n};

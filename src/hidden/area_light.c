@@ -92,6 +92,7 @@ static int look_from(lit_t *s, const light_t *l, void *place) {
     const int32_t far = (int32_t)LIGHT_PAGE_LAT + 16;
     cam->window = (page_window_t){-far, -far, far, far};
     int err = solid_map_setup(&s->map, solid, cam, place);
+    s->map.through = true; /* what is translucent casts no shadow */
     if (!err && s->map.any_behind) return ERR_LIGHT;
     s->lattice = area_lattice(&s->map);
     return err;

@@ -179,6 +179,8 @@ static int hatch(const area_toner_t *t, const poly_t *p, int64_t bright_q30, int
 
 int area_toner_polygon(area_toner_t *t, int32_t face, const poly_t *p, int32_t first_line, intervals_t *to) {
     int64_t slope[LIGHTS_MAX], all = 0;
+    if (solid_is_clear(t->m->solid, face))
+        return t->tone.hatch ? hatch_polygon(t->tone.hatch, p, HATCH_CLEAR, first_line, to) : 0;
     for (int32_t l = 0; l < t->tone.lights; l++) {
         slope[l] = light_slope(&t->tone.light[l], t->m, face);
         all += slope[l] > 0 ? slope[l] : 0;

@@ -16,7 +16,8 @@
 #include "poly/poly.h"
 #include "view/line_space.h"
 
-enum hatch_tone { HATCH_NONE, HATCH_FAINT, HATCH_LIGHT, HATCH_MIDDLE, HATCH_DEEP, HATCH_DARK };
+/* The last is for what is translucent: every fourth line of the other family, over the tone of what is behind. */
+enum hatch_tone { HATCH_NONE, HATCH_FAINT, HATCH_LIGHT, HATCH_MIDDLE, HATCH_DEEP, HATCH_DARK, HATCH_CLEAR };
 
 /* The tone of a brightness. */
 static inline enum hatch_tone hatch_tone_of(int64_t bright_q30) {
@@ -48,7 +49,7 @@ void hatch_setup(hatch_t *h, const page_window_t *window, num_t degrees, int32_t
 int32_t hatch_lines(const hatch_t *h);
 /* Which lines of a family a tone has: every so-manieth, a power of two; 0: none. */
 static inline int32_t hatch_step(enum hatch_tone tone, bool second) {
-    static const uint8_t step[2][HATCH_DARK + 1] = {{0, 4, 2, 1, 1, 1}, {0, 0, 0, 0, 2, 1}};
+    static const uint8_t step[2][HATCH_CLEAR + 1] = {{0, 4, 2, 1, 1, 1, 0}, {0, 0, 0, 0, 2, 1, 4}};
     return step[second][tone];
 }
 

@@ -32,4 +32,7 @@ typedef struct interval_use {
 /* Gives all parts to use, line by line, in order. Returns 0 or its error. */
 int intervals_finish(intervals_t *s, const interval_use_t *use);
 
+/* The same for what of a is in no part of b. */
+int intervals_less(intervals_t *a, intervals_t *b, const interval_use_t *use);
+
 #endif

@@ -102,7 +102,11 @@ static const topic_t topics[] = {
      "splot 'a.obj' [translate X,Y,Z] [rotate X,Y,Z] [scale S] [crease A], 'b.obj' ...\n"
      "splot '-' solid     rows of OBJ text up to a line e: v x y z, f a b c ..., l a b, o name\n"
      "Moved in the order of the words; degrees about x, then y, then z. crease: edges between faces that meet at less\n"
-     "than A degrees only where they are outlines. With set hidden3d horizon an OBJ file is a terrain.\n"},
+     "than A degrees only where they are outlines. With set hidden3d horizon an OBJ file is a terrain.\n"
+#if CONFIG_AREA
+     "translucent: with set hidden3d area what is behind is drawn too, with dashes.\n"
+#endif
+    },
     {"fu$nctions",
      "abs acos asin atan atan2 besj0 besj1 ceil cos cosh erf exp floor gamma int invnorm log log10 max min norm\n"
      "rand real sgn sin sinh sqrt tan tanh; operators ** ! - + * / % << >> < <= > >= == != & ^ | && || ?:\n"

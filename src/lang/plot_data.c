@@ -34,7 +34,7 @@ static int start_solid(session_t *s, session_source_t *src, bool inline_data, in
     affine_identity(&s->plot.affine);
     lexer_t lx;
     lexer_start(&lx, src->name.text + src->moves, src->moves ? src->name.len - src->moves : 0);
-    int err = plot_options_moves(s, &lx, &s->plot.affine, &src->smooth_q30);
+    int err = plot_options_moves(s, &lx, &s->plot.affine, src);
     obj_reader_start(&s->plot.obj, &s->pool, src->moves ? &s->plot.affine : NULL, inline_data, first_line);
     s->plot.obj.notice = notice;
     s->plot.obj.notice_ctx = s;
@@ -85,6 +85,7 @@ int plot_data_done(session_t *s) {
         int err = obj_reader_finish(&s->plot.obj, &s->plot.mesh[s->plot.next]);
         if (err) return plot_data_failed(s, src, err);
         s->plot.mesh[s->plot.next].smooth_q30 = src->smooth_q30;
+        s->plot.mesh[s->plot.next].clear = src->clear;
         s->plot.next++;
         return 0;
     }

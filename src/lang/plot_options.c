@@ -158,18 +158,33 @@ static int crease(session_t *s, lexer_t *lx, int32_t *smooth_q30) {
     return 0;
 }
 
-int plot_options_moves(session_t *s, lexer_t *lx, affine_t *a, int32_t *smooth_q30) {
-    static const word_t words[] = {{"translate", 0}, {"rotate", 1}, {"scale", 2}, {"crease", 3}, {NULL, 0}};
+int plot_options_moves(session_t *s, lexer_t *lx, affine_t *a, session_source_t *src) {
+    static const word_t words[] = {
+        {"translate", 0},
+        {"rotate", 1},
+        {"scale", 2},
+        {"crease", 3},
+#if CONFIG_AREA
+        {"transl$ucent", 4},
+#endif
+        {NULL, 0}
+    };
     static void (*const move[])(affine_t *, const num_t[3]) = {affine_translate, affine_rotate, affine_scale};
     for (int which; (which = words_find(words, lx)) >= 0;) {
         lexer_t word = *lx;
         lexer_next(lx);
         num_t by[3];
         if (which == 3) {
-            int err = crease(s, lx, smooth_q30);
+            int err = crease(s, lx, &src->smooth_q30);
             if (err) return err;
             continue;
         }
+#if CONFIG_AREA
+        if (which == 4) {
+            src->clear = true;
+            continue;
+        }
+#endif
         for (int k = 0; k < 3; k++) {
             if (which == 2 && k == 1 && lx->tok.kind != ',') {
                 by[1] = by[2] = by[0];

@@ -78,6 +78,7 @@ typedef struct session_source {
     data_spec_t spec;
     int32_t first_grid, grids; /* of data */
     int32_t smooth_q30;        /* cosine of `crease` (mesh.h) */
+    bool clear;                /* `translucent` */
     uint32_t moves;            /* where `translate` and the like begin in the line of `name`, or 0 */
 } session_source_t;
 

@@ -13,6 +13,7 @@
 #define MESH_H
 
 #include "scene/packed.h"
+#include <stdbool.h>
 #include <stdint.h>
 
 /* In place of a cosine in smooth_q30: a surface whose cells are two triangles each. What runs across a cell is no line.
@@ -31,6 +32,7 @@ typedef struct mesh {
     int32_t faces, corners; /* polygons, and their vertices in all */
     int32_t segments;       /* of all polylines */
     int32_t smooth_q30;     /* cosine of `crease`: edges where faces meet at less are drawn only as outlines; 0: all */
+    bool clear;             /* `translucent`: what is behind it is drawn, too */
     const packed_t (*vertex)[3]; /* x, y, z: unpack with packed_num() */
     const int32_t *top;          /* word k is top[-1 - k]; 0 <= index < nv */
 } mesh_t;

@@ -170,7 +170,8 @@ static void add_face(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w, in
     }
     while (n > 1 && c[n - 1] == c[0]) n--;
     if (n < 3) return;
-    b->face[s->nf] = (solid_face_t){.corner = s->nc, .n = n, .object = m->smooth_q30}; /* solid_join.c moves it */
+    b->face[s->nf] =
+        (solid_face_t){.corner = s->nc, .n = n, .object = m->smooth_q30 * 2 + m->clear}; /* solid_join.c moves both */
     for (int32_t k = 0; k < n; k++) b->corner_face[s->nc + k] = s->nf;
     b->group[s->nf] = group;
     s->nc += n;

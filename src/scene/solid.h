@@ -58,6 +58,7 @@ typedef struct solid_object {
     int32_t faces;
     int32_t smooth_q30; /* of the mesh of its first face (mesh.h) */
     uint8_t kind;       /* enum solid_kind */
+    bool clear;         /* of that mesh */
 } solid_object_t;
 
 typedef struct solid {
@@ -81,6 +82,10 @@ size_t solid_bytes(const mesh_t *const *mesh, int32_t n);
  * 0.5 us a corner on a desktop. */
 int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, size_t bytes);
 
+/* Is the face translucent? */
+static inline bool solid_is_clear(const solid_t *s, int32_t face) {
+    return s->object[s->face[face].object].clear;
+}
 /* Does the edge run across a cell of a surface (MESH_GRID)? Then it is no line of the drawing. */
 bool solid_is_across(const solid_t *s, const solid_edge_t *e);
 /* Do the edge's two faces meet so flatly that `crease` leaves it to outlines? */

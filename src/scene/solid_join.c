@@ -107,7 +107,7 @@ static void unite_groups(solid_build_t *b, int32_t first) {
 static void unite_all(solid_build_t *b) {
     for (int32_t f = 0; f < b->s->nf; f++) {
         b->parent[f] = (uint32_t)f << 1;
-        b->object[f] = (solid_object_t){0, 0, 0};
+        b->object[f] = (solid_object_t){.faces = 0};
     }
     for (int32_t e = 0; e < b->s->ne; e++) {
         int32_t c = b->edge[e].face[0];
@@ -129,7 +129,8 @@ static void number_objects(solid_build_t *b) {
         int32_t root = (int32_t)find(b, (uint32_t)f, &turned);
         if (root == f) {
             uint8_t kind = b->object[f].kind ? SOLID_OPEN : SOLID_CLOSED;
-            b->object[s->no] = (solid_object_t){0, b->face[f].object, kind};
+            int32_t look = b->face[f].object; /* add_face() */
+            b->object[s->no] = (solid_object_t){0, look >> 1, kind, look & 1};
             b->face[f].object = s->no++;
         } else {
             b->face[f].object = b->face[root].object; /* a root is the first face of its object */

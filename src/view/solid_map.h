@@ -45,6 +45,8 @@ typedef struct solid_map {
     int64_t z_row[3];
     solid_place_t *place; /* of each vertex */
     bool any_behind;
+    bool
+        through; /* translucent faces are looked through: for the area sort they are not there, their edges are lines */
 } solid_map_t;
 
 #define SOLID_MAP_BYTES(vertices) ((size_t)(vertices) * sizeof(solid_place_t) + 8)

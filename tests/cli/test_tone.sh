@@ -152,6 +152,35 @@ surfaces_take_shadows() {
     echo "# test_tone: the border of a box's shadow on a bowed sheet is $with mm long"
 }
 
+# A sheet of 4 x 4 over one of 2 x 2 that it covers by half, from straight above; dashes by arithmetic: 2 mm and gaps of 1.5.
+glass_is_looked_through() {
+    printf 'v -2 -2 2\nv 2 -2 2\nv 2 2 2\nv -2 2 2\nf 1 2 3 4\n' >glass.obj
+    printf 'v 1 -1 0\nv 3 -1 0\nv 3 1 0\nv 1 1 0\nf 1 2 3 4\n' >cube.obj
+    look='set view 0,0; set hidden3d area; set pen hidden 5 hatch 3'
+    # ink with the sheet in front; `splot "cube.obj"` is put behind the last command
+    solid="$look; splot 'glass.obj', 'cube.obj'; set pen 8"
+    clear="$look; splot 'glass.obj' translucent, 'cube.obj'; set pen 8"
+    first() { # pen, commands: the first page only
+        ink 0 "$2" >/dev/null
+        awk -v want="$1" 'BEGIN { pen = 1 } /^# pen/ { pen = $3 } /^#/ { next }
+            NF == 4 && (want == 0 || want == pen) { s += sqrt(($3 - $1) ^ 2 + ($4 - $2) ^ 2) } END { printf "%.3f", s }' ink.seg
+    }
+    s=$(awk -v l="$(first 0 "$solid")" 'BEGIN { print l / 20 }')
+    ratio "$(first 1 "$clear")" "$(first 0 "$solid")" 1 1
+    got=$(first 5 "$clear")
+    awk -v s="$s" -v got="$got" 'function dashes(l, n) { n = int((l + 1.5) / 3.5); return l * 4 * n / (7 * n - 3) }
+        BEGIN { b = dashes(2 * s) + 2 * dashes(s); exit !((got - b) ^ 2 < .01) }' || { echo "$got, s $s"; return 1; }
+    # what is behind is hatched as ever, crosswise 4 s^2; the glass with every fourth line, which are there already behind 2 s^2 of it
+    got=$(first 3 "set hatch 20,0.5; set shadow; set light 0,0,-1; $clear")
+    awk -v s="$s" -v got="$got" 'BEGIN { b = 2 * (2 * 4 + (16 - 2) / 4) * s * s; exit !((got - b) ^ 2 < (.01 * b) ^ 2) }' || { echo "hatch $got, s $s"; return 1; }
+    # lit from above the sheet below is not hatched, though the glass is in the way
+    got=$(first 3 "set hatch 20,0.5; set shadow; set light 0,0,1; $clear")
+    awk -v s="$s" -v got="$got" 'BEGIN { b = 2 * 4 * s * s; exit !((got - b) ^ 2 < (.01 * b) ^ 2) }' || { echo "lit $got, s $s"; return 1; }
+    printf 'splot x*y translucent\n' >bad.gp
+    ! ridgeline plot bad.gp >out 2>&1
+    expect_text out 'column'
+}
+
 settings_are_answered() {
     printf 'show pen\nset pen 3\nshow pen\nset pen hatch 2, shadow 8\nshow pen\nset crease 30.5\nshow crease\nset hidden3d area outline\nshow hidden3d\n' >show.gp
     printf 'unset pen\nunset crease\nset hidden3d area silhouette\nshow pen\nshow crease\nunset hidden3d\nset hidden3d area\nshow hidden3d\nhelp pen\nhelp crease\n' >>show.gp
@@ -168,4 +197,4 @@ settings_are_answered() {
     done
 }
 
-run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own shadows_overlap lamps_cast_shadows_too surfaces_are_shaded surfaces_take_shadows settings_are_answered
+run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own shadows_overlap lamps_cast_shadows_too surfaces_are_shaded surfaces_take_shadows glass_is_looked_through settings_are_answered

@@ -143,7 +143,7 @@ int solid_stage_make(solid_stage_t *t, const solid_scene_t *s, bool area) {
 
 int solid_stage_draw(solid_stage_t *t, const ink_sink_t *sink) {
     const hidden_job_t job = {.mem = t->mem[2], .bytes = t->bytes, .sink = sink};
-    return t->area ? area_draw(&t->map, NULL, &job, &t->stats, &t->sorted)
+    return t->area ? area_draw(&t->map, NULL, NULL, &job, &t->stats, &t->sorted)
                    : convex_draw(&t->map, NULL, &job, &t->stats);
 }
 

@@ -354,7 +354,7 @@ static bool try_scene(uint64_t seed, int objects, tally_t *n) {
         for (int l = 0; l < c.lights; l++) tone.light[l] = c.light[l];
         const ink_sink_t sink = {NULL, no_ink};
         const hidden_job_t job = {.mem = c.mem[1], .bytes = bytes, .sink = &sink};
-        err = area_draw(&c.t.map, &tone, &job, &c.t.stats, &c.t.sorted);
+        err = area_draw(&c.t.map, &tone, NULL, &job, &c.t.stats, &c.t.sorted);
     }
     bool fits = !err && !c.t.sorted.intersections && !c.t.sorted.behind;
     if (fits) {
