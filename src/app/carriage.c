@@ -84,10 +84,6 @@ pen_sink_t carriage_pen(carriage_t *c) {
     return (pen_sink_t){c, pen_move, pen_draw};
 }
 
-void carriage_wake(carriage_t *c) {
-    motion_wake(&c->motion);
-}
-
 bool carriage_ready(void *ctx) {
     carriage_t *c = ctx;
     return motion_ready(&c->motion);

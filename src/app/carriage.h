@@ -53,8 +53,6 @@ void carriage_init(carriage_t *c, void *mem, size_t bytes, void (*poll)(void *ct
 int carriage_begin(carriage_t *c, const machine_t *machine);
 /* Where its strokes go. Polls; returns ERR_STOPPED after a stop or alarm. */
 pen_sink_t carriage_pen(carriage_t *c);
-/* Motors on before there is a stroke; then they have settled when it comes. */
-void carriage_wake(carriage_t *c);
 /* For path_feed_t: does the pen take a line at once? And: nothing is known of what follows, up with it. ctx is c. */
 bool carriage_ready(void *ctx);
 int carriage_rest(void *ctx);

@@ -246,13 +246,6 @@ int motion_rest(motion_t *m) {
     return 0;
 }
 
-int motion_wake(motion_t *m) {
-    if (!m->started && !m->error) tracer_wait(&m->tracer, m->machine.enable_us, HAL_ENABLE);
-    m->started = true;
-    if (!m->estimate) stepgen_start();
-    return m->error;
-}
-
 /* Until everything is stepped. */
 static void run_dry(motion_t *m) {
     while (!stepgen_idle()) {

@@ -82,8 +82,6 @@ void motion_on_wait(motion_t *m, void (*wait)(void *ctx), void *ctx);
 pen_sink_t motion_pen_sink(motion_t *m);
 /* Pen up, straight to a point, as soon as what was given before is done. Errors as move. */
 int motion_travel(motion_t *m, page_point_t to);
-/* Motors on, ahead of the first stroke: their time to settle runs while it is computed. */
-int motion_wake(motion_t *m);
 /* Fills the queue from what is planned, and sets the machine going. Will the pen sink take a line without waiting for
  * it? To be called now and then while lines are still being computed. */
 bool motion_ready(motion_t *m);

@@ -17,6 +17,11 @@
 #define NUM_DOUBLE_E_MIN (-1074 - 62)
 #define NUM_DOUBLE_E_MAX (1024 - 63)
 
+/* The way of adding that suits a core of 32 bits; the sums are the same. */
+#ifndef NUM_DOUBLE_NARROW
+#define NUM_DOUBLE_NARROW (sizeof(void *) < 8)
+#endif
+
 _Static_assert(NUM_FAST_E_MIN <= NUM_DOUBLE_E_MIN && NUM_FAST_E_MAX >= NUM_DOUBLE_E_MAX, "num.h reaches further");
 
 static inline num_t num_double_make(int64_t m, int32_t e) {
@@ -46,6 +51,13 @@ static inline num_t num_double_add(num_t a, num_t b) {
     d = d < 0 ? -d : d;
     if (NUM_FAST_RARE(d > 63)) return (num_t){big, e, false};
     int64_t sign = big >> 63, S = (small ^ sign) - sign;
+    /* Of one sign: nothing cancels, the top is where it was or one higher. A core of 32 bits takes half the time so,
+     * and has no branches to mispredict. */
+    if (NUM_DOUBLE_NARROW && S >= 0) {
+        uint64_t u = ints_abs64(big) + ((uint64_t)S >> d);
+        const bool more = d > 0 && (uint64_t)S << (64 - d) != 0;
+        return u >> 63 ? num_double_round(u | more, e, sign) : num_double_round(u << 1 | more, e - 1, sign);
+    }
     uint64_t u = ints_abs64(big) + (uint64_t)(S >> d), lo = ((uint64_t)S << 1) << (63 - d);
     int64_t flip = (S & (int64_t)u) >> 63;
     u = (u ^ (uint64_t)flip) - (uint64_t)flip;

@@ -183,15 +183,19 @@ static int flush(path_t *p, enum flush why) {
     return 0;
 }
 
+/* Has the pen soon nothing to do? More than the outbox can hold is no use. */
+static bool is_hungry(const path_fed_t *f) {
+    const bool small = f->outbox.filled && f->outbox.us < 2 * FEED_LEAST_US;
+    return f->ahead_us <= (small ? f->outbox.us / 2 : FEED_LEAST_US);
+}
+
 int path_advance(path_t *p, int32_t us) {
     if (!p->fed) return 0;
     pump(p);
     p->fed->ahead_us -= us;
-    const bool half =
-        p->fed->outbox.filled && p->fed->outbox.us < 2 * FEED_LEAST_US; /* more than it can hold is no use */
-    if (p->fed->ahead_us > (half ? p->fed->outbox.us / 2 : FEED_LEAST_US) || p->pool.n == 0 || p->fed->error)
-        return p->fed->error;
-    return flush(p, FLUSH_FEED);
+    if (p->fed->error || !is_hungry(p->fed)) return p->fed->error;
+    int err = p->pool.n == 0 ? join_finish(&p->join) : 0;
+    return err || p->pool.n == 0 ? err : flush(p, FLUSH_FEED);
 }
 
 /* What is in the pool will be put in order, which takes time. */

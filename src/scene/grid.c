@@ -11,21 +11,36 @@
 
 #define GRID_HOLE INT32_MIN
 #define Z_BITS 30 /* |zi| <= 2^30: sums and differences of two heights fit int32_t */
+#define Z_LIMIT ((int32_t)1 << Z_BITS)
 
 _Static_assert(Z_BITS + 1 < 32, "a difference of two heights must fit int32_t");
 
-/* Units in which d fits: the smallest e with |d| < 2^(Z_BITS) * 2^e, or INT16_MIN for zero. */
-static int32_t exponent_of(num_t d) {
-    /* |m| < 2^63, so |d| < 2^(63 + e) */
-    return d.m == 0 ? INT16_MIN : d.e + 63 - Z_BITS;
+/* How far z is from the origin, in units of 2^*e: both are rounded down to 62 bits and subtracted. The difference of
+ * two num_t would do, and normalise what is shifted to the grid's scale anyway: three times the work on a small core.
+ */
+static inline int64_t apart(num_t z, num_t origin, int32_t *e) {
+    if (NUM_FAST_RARE(z.m == 0)) z.e = origin.e; /* it says nothing */
+    if (NUM_FAST_RARE(origin.m == 0)) origin.e = z.e;
+    int64_t a = z.m >> 1, b = origin.m >> 1;
+    const int32_t d = z.e - origin.e;
+    if (d > 0)
+        b >>= d < 63 ? d : 63;
+    else if (d < 0)
+        a >>= d > -63 ? -d : 63;
+    *e = (d > 0 ? z.e : origin.e) + 1;
+    return a - b; /* below 2^63 */
 }
 
-/* floor(d / 2^exp), for exp >= exponent_of(d). */
-static int32_t units(num_t d, int32_t exp) {
-    if (d.m == 0) return 0; /* whose e says nothing */
-    int32_t shift = exp - d.e;
-    if (shift > 63) shift = 63;
-    return (int32_t)(d.m >> shift);
+/* Units in which d * 2^e fits: the smallest exponent x with |d| * 2^e < 2^(Z_BITS + x). d is not 0. */
+static int32_t exponent_of(int64_t d, int32_t e) {
+    return e + 64 - ints_clz64(ints_abs64(d)) - Z_BITS;
+}
+
+/* floor(d * 2^e / 2^exp), for exp >= exponent_of(d, e), or exp >= e. */
+static inline int64_t units(int64_t d, int32_t e, int32_t exp) {
+    const int32_t shift = exp - e;
+    if (NUM_FAST_RARE(shift < 0)) return d * ((int64_t)1 << -shift); /* d is short: the rest was cancelled */
+    return d >> (shift < 63 ? shift : 63);
 }
 
 static num_t evaluate(grid_t *g, int32_t i, int32_t j) {
@@ -50,9 +65,10 @@ int grid_measure(grid_t *g, const surface_t *src, const num_t *lo, const num_t *
     *g = (grid_t){.src = src, .nx = src->nx, .ny = src->ny, .cache = NULL, .has_lo = lo != NULL, .has_hi = hi != NULL};
     if (lo != NULL) g->z_lo = *lo;
     if (hi != NULL) g->z_hi = *hi;
+    int64_t at = -1;
     for (int32_t j = 0; j < g->ny; j++) {
         for (int32_t i = 0; i < g->nx; i++) {
-            int64_t at = (int64_t)j * g->nx + i;
+            at++;
             num_t z = evaluate(g, i, j);
             if (z.undef) {
                 g->holes++;
@@ -63,18 +79,23 @@ int grid_measure(grid_t *g, const surface_t *src, const num_t *lo, const num_t *
                 any = true;
                 g->z_min = g->z_max = g->z_origin = z;
             }
-            num_t d = num_fast_sub(z, g->z_origin);
-            int32_t need = exponent_of(d);
-            if (need > exp) {
-                if (exp != INT16_MIN) {
-                    int32_t by = need - exp > 31 ? 31 : need - exp;
-                    least >>= by;
-                    most >>= by;
-                    if (cache != NULL) coarsen(cache, at, by);
+            int32_t e;
+            const int64_t d = apart(z, g->z_origin, &e);
+            int64_t u = exp >= e ? units(d, e, exp) : 0;
+            if ((exp < e && d != 0) || u <= -Z_LIMIT || u >= Z_LIMIT) {
+                const int32_t need = exponent_of(d, e);
+                if (need > exp) {
+                    if (exp != INT16_MIN) {
+                        int32_t by = need - exp > 31 ? 31 : need - exp;
+                        least >>= by;
+                        most >>= by;
+                        if (cache != NULL) coarsen(cache, at, by);
+                    }
+                    exp = need;
                 }
-                exp = need;
+                u = units(d, e, exp);
             }
-            int32_t zi = units(d, exp);
+            const int32_t zi = (int32_t)u;
             if (cache != NULL) cache[at] = zi;
             /* Rounding down keeps the order, so only a height in the units of an extreme can be beyond it. */
             if (zi <= least) {
@@ -101,7 +122,9 @@ static bool height(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
     }
     num_t z = evaluate(g, i, j);
     if (z.undef) return false;
-    *zi = units(num_fast_sub(z, g->z_origin), g->z_exp);
+    int32_t e;
+    const int64_t d = apart(z, g->z_origin, &e);
+    *zi = (int32_t)units(d, e, g->z_exp);
     return true;
 }
 

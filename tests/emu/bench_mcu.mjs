@@ -1,6 +1,7 @@
 // bench_mcu.mjs - what boards take for surfaces, counted from outside the firmware, beside gnuplot on this PC.
 //
 //     node bench_mcu.mjs BUILDDIR        (make bench-mcu; SIZES="20 60" RANDOM="20 60" choose)
+//     node bench_mcu.mjs BUILDDIR large  (make bench-mcu-large: the Pico's large scenes, drawn to the end; half an hour)
 //
 // The Pico runs in rp2040js, which counts cycles; bench_probe.mjs says in which stage. The others run in QEMU, which counts
 // instructions. gnuplot's figure is the CPU time of its process less that of an empty plot.
@@ -79,6 +80,24 @@ function memory(board, said) {
 function qemu(board, shape, n, seconds) {
   const stim = stimulus(shape, n, QUICK.replaceAll('200', '60'), `+${seconds}000000 type memory\\r\n+${seconds + 2}000000 quit`);
   return execFileSync('sh', ['tests/emu/bench_qemu.sh', build, board, stim], { encoding: 'latin1', timeout: 900e3 });
+}
+
+// Large scenes, computed and drawn to the end on the Pico. What is typed ahead is answered after the drawing.
+function large(shape, n) {
+  const text = join(tmp, 'pico.txt'), begun = Date.now();
+  const stim = stimulus(shape, n, QUICK, '+2000000 type memory\\r');
+  const run = spawnSync('node', ['tests/emu/rp2040.mjs', `${build}/firmware/rp2040.bin`, stim, join(tmp, 'large.vcd'), text, '1'],
+    { env: { ...process.env, EMU_MODULES: `${build}/emu`, QUIET_MS: '300' }, encoding: 'utf8', timeout: 3600e3 });
+  if (run.status !== 0) throw new Error(`pico ${shape} ${n}: ${run.stderr}`);
+  memory(`Pico, ${shape} ${n}x${n}, small paper, drawn to the end (${Math.round((Date.now() - begun) / 1000)} s of emulation)`,
+    readFileSync(text, 'latin1'));
+  console.log(spawnSync(`${build}/host/ridgeline`, ['trace', join(tmp, 'large.vcd')], { encoding: 'utf8' }).stdout
+    .split('\n').filter((l) => /^ *(time|length|speed)/.test(l)).map((l) => `    ${l}`).join('\n'));
+}
+
+if (process.argv[3] === 'large') {
+  for (const [shape, n] of (process.env.LARGE ?? 'smooth 1000,random 400').split(',').map((s) => s.split(' '))) large(shape, n);
+  process.exit(0);
 }
 
 table();

@@ -31,7 +31,9 @@ test-emu: ## run every board's image in its emulator against the simulator
 test-emu-run: host $(BOARD_NEEDS)
 	$(Q)$(RUN_TESTS) $(BOARD_TESTS)
 
-.PHONY: bench-mcu bench-mcu-run
+.PHONY: bench-mcu bench-mcu-run bench-mcu-large
+bench-mcu-large: host $(EMUDIR)/node_modules/.ready $(BUILDDIR)/firmware/rp2040.bin ## the Pico's largest scenes in its emulator, to the end (half an hour; LARGE="smooth 300")
+	$(Q)node tests/emu/bench_mcu.mjs $(BUILDDIR) large
 bench-mcu: ## cycles per facet, memory and stack on the boards, in emulators, beside gnuplot (SIZES="20 60" RANDOM="20")
 	$(Q)sh .ci/deps.sh host firmware emu
 	+$(Q)$(again) bench-mcu-run
