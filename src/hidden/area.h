@@ -29,7 +29,7 @@
 /* What a scene's area sort found, beside hidden_stats_t. */
 typedef struct area_stats {
     int64_t polygons;      /* that take part: not those seen edge-on or from behind */
-    int64_t clips;         /* pairs clipped, those with disjoint boxes not counted */
+    int64_t clips;         /* pairs clipped; those that a glance tells apart are not counted */
     int64_t removed;       /* pieces behind a clip polygon */
     int64_t errors;        /* sort errors: polygons in front of the one that was taken to be the front-most */
     int64_t intersections; /* pairs that cut through each other */

@@ -69,6 +69,10 @@ static int clip_piece(area_t *a, int32_t piece, int32_t by, area_list_t *in, are
     const poly_t whole = {a->faces.vertex + f->first, &f->n, 1}, subject = area_pool_poly(pool, piece);
     area_weld_t w;
     size_t used;
+    if (area_apart(&subject, &whole)) {
+        area_list_add(pool, out, piece);
+        return 0;
+    }
     int err = area_weld(&w, &subject, &pool->piece[piece].box, &whole, &f->box, a->clip_mem, a->clip_bytes, &used);
     if (err) return err;
     const clip_job_t job = {w.subject, w.clip, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_OUTSIDE}};
@@ -76,7 +80,7 @@ static int clip_piece(area_t *a, int32_t piece, int32_t by, area_list_t *in, are
     if (err) return err;
     a->stats->clips++;
     /* Where rounding made something collapse, what is left is the result; otherwise the piece stays as it was. */
-    bool exact = a->clip.stats.sweeps == 1 && !w.changed;
+    bool exact = a->clip.stats.crossings == 0 && a->clip.stats.sweeps == 1 && !w.changed;
     if (exact && clip_count(&a->clip, 0) == 0) { /* wholly outside */
         area_list_add(pool, out, piece);
         return 0;

@@ -12,6 +12,48 @@
 /* With more pairs than this a weld costs more than it is worth. */
 #define MOST_PAIRS 65536
 
+/* On which side of the line from a to b all of `other` lies, 0 if on none: 1 left, -1 right. */
+static int side_of(poly_point_t a, poly_point_t b, const poly_t *other) {
+    uint64_t dx = ints_abs64((int64_t)b.x - a.x), dy = ints_abs64((int64_t)b.y - a.y);
+    int64_t margin = NEAR_CLIP * (int64_t)(dx > dy ? dx : dy);
+    int side = 0;
+    for (int32_t k = 0; k < poly_vertices(other); k++) {
+        poly_point_t v = other->v[k].at;
+        if (poly_same(v, a) || poly_same(v, b)) continue;
+        int64_t turn = poly_orient(a, b, v);
+        int here = turn > margin ? 1 : turn < -margin ? -1 : 0;
+        if (here == 0 || here == -side) return 0;
+        side = here;
+    }
+    return side;
+}
+
+static bool has_none_on(int side, poly_point_t a, poly_point_t b, const poly_t *p) {
+    for (int32_t k = 0; k < poly_vertices(p); k++) {
+        int64_t turn = poly_orient(a, b, p->v[k].at);
+        if (side > 0 ? turn > 0 : turn < 0) return false;
+    }
+    return true;
+}
+
+static bool parts(const poly_t *p, const poly_t *other) {
+    for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++]) {
+        poly_point_t a = p->v[p->end[c] - 1].at;
+        for (int32_t i = first; i < p->end[c]; i++) {
+            poly_point_t b = p->v[i].at;
+            int side = side_of(a, b, other);
+            if (side != 0 && has_none_on(side, a, b, p)) return true;
+            a = b;
+        }
+    }
+    return false;
+}
+
+bool area_apart(const poly_t *p, const poly_t *q) {
+    if ((int64_t)poly_vertices(p) * poly_vertices(q) > MOST_PAIRS) return false;
+    return parts(q, p) || parts(p, q);
+}
+
 typedef struct builder {
     poly_vertex_t *v;
     int32_t n, most;
