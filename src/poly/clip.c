@@ -62,14 +62,20 @@ static int32_t read_contour(const poly_vertex_t *v, int32_t vertices, int side, 
 
 /* All edges, sorted, to the end of the memory. */
 static int read_edges(clip_t *c, const clip_job_t *job) {
-    int32_t n = 0, most = c->in_to / 2;
+    int32_t n = 0, most = c->in_to / 2, first = 0;
     for (int side = 0; side < 2; side++) {
+        first = n;
         const poly_t *p = side ? &job->clip : &job->subject;
         int32_t from = 0;
         for (int32_t k = 0; k < p->contours; from = p->end[k++]) {
             n = read_contour(p->v + from, p->end[k] - from, side, c->in, n, most);
             if (n < 0) return n;
         }
+    }
+    if (n <= CLIP_FEW) {
+        n = clip_cross_few(c, first, n, most);
+        if (n < 0) return n;
+        c->stats.sweeps = c->stats.crossings > 0; /* as good as one */
     }
     clip_sort(c->in, n, c->in + n);
     c->in_from = c->in_to - n;

@@ -46,6 +46,15 @@ bool clip_is_near(const clip_seg_t *s, poly_point_t v);
 clip_seg_t clip_upright(clip_seg_t s);
 /* Draws steep falling edges of `in` to vertices near them in the columns of their ends. Sets full. */
 void clip_snap_columns(clip_t *c);
+/* Do a and b cross, in a point inside of both? And where, rounded to the nearest lattice point: it lies in the boxes of
+ * both edges, whose corners are lattice points, so a split never leaves a longer way than before. */
+bool clip_do_cross(const clip_seg_t *a, const clip_seg_t *b);
+poly_point_t clip_crossing(const clip_seg_t *a, const clip_seg_t *b);
+/* Splits the n segments of `in` where one of the subject, before `clip`, crosses one of the clip polygon: what a first
+ * sweep would find and have to sweep again for. Where there are few edges, pairs cost less than that. Returns how many
+ * segments there are then, or ERR_FULL. */
+#define CLIP_FEW 24
+int32_t clip_cross_few(clip_t *c, int32_t clip, int32_t n, int32_t most);
 /* Sorts segments by their left ends. */
 void clip_sort(clip_seg_t *s, int32_t n, clip_seg_t *spare);
 

@@ -118,16 +118,6 @@ static bool do_cross(const clip_seg_t *a, const clip_seg_t *b) {
     return poly_before(a->l, b->l) ? side(a, b->l) >= 0 : side(b, a->l) <= 0;
 }
 
-/* The crossing, rounded to the nearest lattice point. It lies in the boxes of both edges, whose corners are lattice
- * points, and so does the rounded one: a split never leaves a longer way than before. */
-static poly_point_t crossing(const clip_seg_t *a, const clip_seg_t *b) {
-    int64_t ax = a->r.x - a->l.x, ay = a->r.y - a->l.y, bx = b->r.x - b->l.x, by = b->r.y - b->l.y;
-    int64_t den = ax * by - ay * bx;
-    int64_t num = (b->l.x - a->l.x) * by - (b->l.y - a->l.y) * bx;
-    return (poly_point_t){a->l.x + (int32_t)ints_muldiv_round(ax, num, den),
-                          a->l.y + (int32_t)ints_muldiv_round(ay, num, den)};
-}
-
 static clip_seg_t mark(poly_point_t at) {
     return (clip_seg_t){.l = at, .r = at};
 }
@@ -159,7 +149,7 @@ static void meet(clip_t *c, int32_t j, poly_point_t v) {
     if (j < 0 || j + 1 >= c->active || c->full) return;
     const clip_seg_t *a = &c->edge[c->status[j]].s, *b = &c->edge[c->status[j + 1]].s;
     if (!do_cross(a, b)) return;
-    poly_point_t p = crossing(a, b);
+    poly_point_t p = clip_crossing(a, b);
     bool ahead = poly_before(v, p);
     c->rounded = true;
     c->stats.crossings++;
