@@ -138,9 +138,15 @@ static int32_t limited(int64_t a) {
     return (int32_t)(a < -POLY_LIMIT ? -POLY_LIMIT : a > POLY_LIMIT ? POLY_LIMIT : a);
 }
 
-/* a[0] + (a[1] - a[0]) p / whole + (a[2] - a[0]) q / whole */
+/* A share of a difference; far outside of a face it may be anything, but stays summable. */
+static int64_t share_of(int64_t a, int64_t p, int64_t whole) {
+    int64_t most = (int64_t)1 << 61, part = ints_muldiv_round(p, a, whole);
+    return part < -most ? -most : part > most ? most : part;
+}
+
+/* a + (b - a) p / whole + (c - a) q / whole */
 static int64_t mix(int64_t a, int64_t b, int64_t c, int64_t p, int64_t q, int64_t whole) {
-    return a + ints_muldiv_round(p, b - a, whole) + ints_muldiv_round(q, c - a, whole);
+    return a + share_of(b - a, p, whole) + share_of(c - a, q, whole);
 }
 
 static poly_point_t move(const lit_t *s, const mover_t *mv, poly_point_t p) {

@@ -37,6 +37,9 @@ void area_pool_init(area_pool_t *pool, const area_faces_t *faces, area_piece_t *
 int32_t area_pool_whole(area_pool_t *pool, int32_t face);
 /* A new piece of a face from result `which` of a clip. AREA_NONE if it is empty. *err: ERR_FULL. */
 int32_t area_pool_clipped(area_pool_t *pool, int32_t face, clip_t *c, int which, int *err);
+/* The same, a piece for each of its parts that hang together (a contour and its holes), so that each can be in front of
+ * or behind something as a whole. Returns 0 or ERR_FULL. */
+int area_pool_parts(area_pool_t *pool, int32_t face, clip_t *c, int which, area_list_t *list);
 void area_pool_drop(area_pool_t *pool, int32_t piece);
 /* Its contours. Valid until the next call that makes a piece. */
 poly_t area_pool_poly(area_pool_t *pool, int32_t piece);

@@ -85,29 +85,31 @@ static int clip_piece(area_t *a, int32_t piece, int32_t by, area_list_t *in, are
         area_list_add(pool, out, piece);
         return 0;
     }
+    area_list_t parts;
     int32_t outside = area_pool_clipped(pool, face, &a->clip, 1, &err);
-    int32_t inside = err ? AREA_NONE : area_pool_clipped(pool, face, &a->clip, 0, &err);
+    if (!err) err = area_pool_parts(pool, face, &a->clip, 0, &parts);
     if (err) return err;
     if (outside != AREA_NONE) area_list_add(pool, out, outside);
-    if (inside == AREA_NONE) {
-        area_pool_drop(pool, piece);
-        return 0;
+    bool same = exact && outside == AREA_NONE && parts.first == parts.last; /* wholly inside, with its own vertices */
+    for (int32_t k = parts.first, next; k != AREA_NONE; k = next) {
+        next = pool->piece[k].next;
+        const poly_t p = area_pool_poly(pool, k);
+        if (compare(a, &p, face, by) == BEHIND) {
+            a->stats->removed++;
+            same = false;
+            area_pool_drop(pool, k);
+            continue;
+        }
+        a->stats->errors += !a->faces.face[face].on_stack;
+        if (same)
+            area_pool_drop(pool, k);
+        else
+            area_list_add(pool, in, k);
     }
-    const poly_t p = area_pool_poly(pool, inside);
-    if (compare(a, &p, face, by) == BEHIND) {
-        a->stats->removed++;
-        area_pool_drop(pool, inside);
+    if (same)
+        area_list_add(pool, in, piece);
+    else
         area_pool_drop(pool, piece);
-        return 0;
-    }
-    if (exact && outside == AREA_NONE) { /* wholly inside: the same, with its own vertices */
-        area_pool_drop(pool, inside);
-        inside = piece;
-    } else {
-        area_pool_drop(pool, piece);
-    }
-    a->stats->errors += !a->faces.face[face].on_stack;
-    area_list_add(pool, in, inside);
     return 0;
 }
 
