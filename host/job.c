@@ -80,8 +80,7 @@ static bool lend(job_t *job, size_t bytes) {
 static void note_intersections(long long pairs) {
     progress_wipe();
     fprintf(stderr,
-            "ridgeline: %lld pair%s of faces cut through each other; area sorts by the larger part "
-            "(`set hidden3d convex` cuts them)\n",
+            "ridgeline: faces cut through each other in %lld place%s; the lines in which they do are not drawn\n",
             pairs, pairs == 1 ? "" : "s");
 }
 

@@ -10,11 +10,11 @@
  *
  * Polygons are the scene's faces on the page: integer vertices in lat, and a depth that is linear over the page. Of two
  * polygons the one in front is decided where their depths differ most, since faces that share an edge differ by nothing
- * there. Faces that cut through each other are not sorted right; they are counted, and the larger part decides.
- * Faces need not be convex; closed objects show their outer sides only.
+ * there. A part of a face that cuts through another is cut in two where the planes meet, and counted; that line is not
+ * drawn. Faces need not be convex; closed objects show their outer sides only.
  *
- * Edges are drawn where a visible polygon ends in them, each once. A crossing is rounded to the nearest lat (1/400 of a
- * step) each time an area is cut, so after k cuts in one place an end is off by k/2 lat at most.
+ * Edges are drawn where a visible polygon ends in them, each once. A crossing is rounded to the lattice (area_place.h,
+ * 1/12,800 of a step) each time an area is cut, and welds move borders by a few units (area_weld.h).
  *
  * The screen subdivision of their section "Screen subdivision" bounds memory: a window with more polygons than the
  * memory takes is halved, and the halves are done one after the other; pieces of edges meet again afterwards. Memory:
@@ -32,9 +32,9 @@ typedef struct area_stats {
     int64_t clips;         /* pairs clipped; those that a glance tells apart are not counted */
     int64_t removed;       /* pieces behind a clip polygon */
     int64_t errors;        /* sort errors: polygons in front of the one that was taken to be the front-most */
-    int64_t intersections; /* pairs that cut through each other */
+    int64_t intersections; /* parts that cut through the face that clips */
     int64_t visible;       /* visible polygons, pieces of one face counted each */
-    bool behind;           /* something is behind the eye, which makes depths and places coarse */
+    bool behind;           /* something is behind the eye */
     int32_t windows;       /* of the screen subdivision */
     int32_t depth;         /* of the stack, at most */
 } area_stats_t;

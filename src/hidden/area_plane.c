@@ -61,6 +61,15 @@ int64_t area_plane_slope(const area_plane_t *p) {
     return sum > (uint64_t)1 << 62 ? (int64_t)1 << 62 : (int64_t)sum;
 }
 
+void area_plane_at_four(const area_plane_t *p, const poly_point_t at[4], int64_t out[4]) {
+    int most = 0;
+    for (int k = 0; k < 4; k++) {
+        scaled_t s = scaled(area_plane_sum(p, at[k]));
+        if (s.m != 0 && s.e > most) most = s.e;
+    }
+    for (int k = 0; k < 4; k++) out[k] = (int64_t)wide_sar(area_plane_sum(p, at[k]), most).lo / 4;
+}
+
 wide_t area_plane_at_fine(const area_plane_t *p, const area_fine_t *at) {
     wide_t sum = wide_add(p->c0, wide_add(times_fine(p->cx, at->x), times_fine(p->cy, at->y)));
     return wide_sar(sum, AREA_PLANE_BITS);

@@ -36,12 +36,17 @@ static inline int64_t area_plane_round(wide_t sum) {
     return area_limited(wide_sar(sum, AREA_PLANE_BITS));
 }
 
-static inline int64_t area_plane_at(const area_plane_t *p, poly_point_t at) {
-    return area_plane_round(wide_add(p->c0, wide_add(wide_times_s32(p->cx, at.x), wide_times_s32(p->cy, at.y))));
+static inline wide_t area_plane_sum(const area_plane_t *p, poly_point_t at) {
+    return wide_add(p->c0, wide_add(wide_times_s32(p->cx, at.x), wide_times_s32(p->cy, at.y)));
 }
 
+static inline int64_t area_plane_at(const area_plane_t *p, poly_point_t at) {
+    return area_plane_round(area_plane_sum(p, at));
+}
 /* How much the depth changes over a unit of the page at most, in any direction; at least 1. */
 int64_t area_plane_slope(const area_plane_t *p);
+/* The plane at four places, in a unit that makes all of them as large as fits, their differences too. */
+void area_plane_at_four(const area_plane_t *p, const poly_point_t at[4], int64_t out[4]);
 /* The plane at a place that was not rounded and may lie far outside of the face. */
 wide_t area_plane_at_fine(const area_plane_t *p, const area_fine_t *at);
 

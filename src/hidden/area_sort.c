@@ -5,6 +5,7 @@
 #include "hidden/area_wires.h"
 
 #include "error.h"
+#include "num/ints.h"
 
 /* Of what the faces leave of the memory: to the clipper, and for each face so many pieces. */
 #define CLIP_SHARE 3
@@ -29,11 +30,11 @@ typedef struct area {
 
 /* ---- which of two is in front ---- */
 
-enum { BEHIND, TOGETHER, IN_FRONT };
+enum { BEHIND, TOGETHER, IN_FRONT, THROUGH };
 
 /* Faces that reach through each other by less than this many units of the page do not: rounding moves a border so far
  * beyond the edge where two faces meet. */
-#define THROUGH 16
+#define LEAST_THROUGH 16
 
 /* Where the polygon p of face `of` is to face `than`. Where they differ most decides. In one plane they hide nothing of
  * each other. */
@@ -53,13 +54,50 @@ static int compare(area_t *a, const poly_t *p, int32_t of, int32_t than) {
     if (front <= slack && behind <= slack) return TOGETHER;
     if (front > slack && behind > slack) {
         int64_t through = area_plane_slope(&apart);
-        through = through > INT64_MAX / (2 * THROUGH) ? INT64_MAX / 2 : through * THROUGH;
-        if (front > slack + through && behind > slack + through) a->stats->intersections++;
+        through = through > INT64_MAX / (4 * LEAST_THROUGH) ? INT64_MAX / 4 : through * LEAST_THROUGH;
+        if (front > slack + through && behind > slack + through) return THROUGH;
     }
     return front > behind ? IN_FRONT : BEHIND;
 }
 
+/* The part of a box where a plane is above 0: at most 6 vertices. */
+static int32_t half_of(const area_box_t *box, const area_plane_t *plane, poly_vertex_t v[8]) {
+    const poly_point_t corner[4] = {{box->x0, box->y0}, {box->x1, box->y0}, {box->x1, box->y1}, {box->x0, box->y1}};
+    int64_t at[4];
+    int32_t n = 0;
+    area_plane_at_four(plane, corner, at);
+    for (int k = 0; k < 4; k++) {
+        poly_point_t p = corner[k], q = corner[(k + 1) % 4];
+        int64_t at_p = at[k], at_q = at[(k + 1) % 4];
+        if (at_p > 0) v[n++] = (poly_vertex_t){p, POLY_CUT};
+        if ((at_p > 0) == (at_q > 0)) continue;
+        p.x += (int32_t)ints_muldiv_round((int64_t)q.x - p.x, at_p, at_p - at_q);
+        p.y += (int32_t)ints_muldiv_round((int64_t)q.y - p.y, at_p, at_p - at_q);
+        v[n++] = (poly_vertex_t){p, POLY_CUT};
+    }
+    return n;
+}
+
 /* ---- the sort ---- */
+
+/* Of a piece that cuts through face `by` what is in front of it is put on the list. */
+static int cut_through(area_t *a, int32_t piece, int32_t by, area_list_t *in) {
+    int32_t face = a->pool.piece[piece].face;
+    const area_plane_t apart = area_plane_minus(&a->faces.face[by].plane, &a->faces.face[face].plane);
+    poly_vertex_t v[8];
+    const int32_t end = half_of(&a->pool.piece[piece].box, &apart, v);
+    const clip_job_t job = {area_pool_poly(&a->pool, piece), {v, &end, 1}, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_NOTHING}};
+    area_list_t parts;
+    a->stats->intersections++;
+    int err = clip_run(&a->clip, &job, a->clip_mem, a->clip_bytes);
+    if (!err) err = area_pool_parts(&a->pool, face, &a->clip, 0, &parts);
+    for (int32_t k = err ? AREA_NONE : parts.first, next; k != AREA_NONE; k = next) {
+        next = a->pool.piece[k].next;
+        area_list_add(&a->pool, in, k);
+    }
+    area_pool_drop(&a->pool, piece);
+    return err;
+}
 
 /* Clips a piece by face `by`: what is inside and not behind goes to *in, what is outside to *out. */
 static int clip_piece(area_t *a, int32_t piece, int32_t by, area_list_t *in, area_list_t *out) {
@@ -94,14 +132,19 @@ static int clip_piece(area_t *a, int32_t piece, int32_t by, area_list_t *in, are
     for (int32_t k = parts.first, next; k != AREA_NONE; k = next) {
         next = pool->piece[k].next;
         const poly_t p = area_pool_poly(pool, k);
-        if (compare(a, &p, face, by) == BEHIND) {
+        int where = compare(a, &p, face, by);
+        if (where == BEHIND) {
             a->stats->removed++;
             same = false;
             area_pool_drop(pool, k);
             continue;
         }
         a->stats->errors += !a->faces.face[face].on_stack;
-        if (same)
+        same = same && where != THROUGH;
+        if (where == THROUGH) {
+            err = cut_through(a, k, by, in);
+            if (err) return err;
+        } else if (same)
             area_pool_drop(pool, k);
         else
             area_list_add(pool, in, k);

@@ -52,7 +52,6 @@ static int judge_around(const char *name, solid_scene_t *s, bool inside) {
             bool good = solid_scene_judge_area(s, &r, &area);
             cuts += area.intersections > 0;
             errors += area.errors;
-            if (area.intersections) continue;
             if (!good)
                 fail_msg("%s from %d,%d: missing %g mm (edge %d), false %g mm (edge %d)", name, x, z, r.missing_mm,
                          r.missing.line, r.false_mm, r.falsely.line);

@@ -196,7 +196,7 @@ void solid_scene_random(solid_scene_t *s, uint64_t seed, int objects) {
     for (int k = 0; k < 5; k++) uniform(0, 1);
     *s = (solid_scene_t){0};
     settings_default(&s->set);
-    bool lattice = pick(3) == 0;
+    bool lattice = s->lattice = pick(3) == 0;
     int n = 1 + pick(objects);
     for (int k = 0; k < n; k++) object(&s->ref, lattice && pick(6));
     set_view(s, lattice);

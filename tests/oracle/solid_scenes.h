@@ -13,6 +13,7 @@ typedef struct solid_scene {
     solid_ref_t ref; /* without the eye */
     settings_t set;  /* view and paper */
     char what[160];
+    bool lattice; /* bodies on a lattice: where they cut through each other, edges lie in faces that do */
 } solid_scene_t;
 
 /* Up to `objects` of: boxes (turned, or touching each other on a lattice), pyramids, prisms (L-shaped ones too),

@@ -1,6 +1,7 @@
-/* Seeded random scenes of solids, drawn by the area sort and judged against rays. Scenes whose faces cut through each
- * other are none for it: it says so, and they are left out here. RIDGELINE_CASES=100 tries a hundred times as many;
- * RIDGELINE_SEED=n tries one. */
+/* Seeded random scenes of solids, drawn by the area sort and judged against rays, with eyes in the midst of them and
+ * faces that cut through each other. Only where bodies on a lattice do that, edges lie in the very lines in which faces
+ * cut, which are not drawn and which the reference sees: those scenes are left out. RIDGELINE_CASES=100 tries a hundred
+ * times as many; RIDGELINE_SEED=n tries one. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,7 +15,7 @@
 
 static int run(const char *name, uint64_t first, uint64_t count, int objects) {
     uint64_t only, from = cases_first(first, count), to = from + count;
-    int failed = 0, left_out = 0, behind = 0;
+    int failed = 0, left_out = 0, behind = 0, cut = 0;
     cases_t c = {.name = name};
     if (cases_only_seed(&only)) {
         if (only < first || only >= first + 1000000000) return 0;
@@ -27,13 +28,14 @@ static int run(const char *name, uint64_t first, uint64_t count, int objects) {
         area_stats_t area = {0};
         solid_scene_random(&s, seed, objects);
         bool good = solid_scene_judge_area(&s, &r, &area);
-        if (area.intersections) {
+        if (area.intersections && s.lattice) {
             left_out++;
             solid_scene_free(&s);
             continue;
         }
         c.run++;
         behind += area.behind;
+        cut += area.intersections > 0;
         c.facets += s.ref.nf;
         if (!good) {
             failed++;
@@ -47,7 +49,8 @@ static int run(const char *name, uint64_t first, uint64_t count, int objects) {
         solid_scene_free(&s);
     }
     cases_summary(&c);
-    print_message("# %s: %d left out, in %d something is behind the eye\n", name, left_out, behind);
+    print_message("# %s: in %d something is behind the eye, in %d faces cut through each other; %d left out\n", name,
+                  behind, cut, left_out);
     return failed;
 }
 
