@@ -28,7 +28,8 @@ static bool fits_machine(const settings_t *s) {
 
 static int too_large(const console_t *c, const plot_t *plot) {
     const hidden_stats_t *found = &c->picture.stats.hidden;
-    if (plot->settings->hidden == HIDDEN_HALO && found->edges > 0) { /* both are counted to the end, if begun */
+    if (CONFIG_HALO && plot->settings->hidden == HIDDEN_HALO &&
+        found->edges > 0) { /* both are counted to the end, if begun */
         say("The scene does not fit: ");
         say_int(found->edges);
         say(" lines");

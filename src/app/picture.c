@@ -27,7 +27,7 @@ static size_t kernel_part(size_t arena_bytes) {
  */
 static size_t hiding_bytes(const plot_t *plot, int32_t each, bool holes) {
     const settings_t *s = plot->settings;
-    if (!CONFIG_SOLIDS && (plot->kind == PLOT_SOLIDS || s->hidden == HIDDEN_HALO)) return 0;
+    if ((!CONFIG_SOLIDS && plot->kind == PLOT_SOLIDS) || (!CONFIG_HALO && s->hidden == HIDDEN_HALO)) return 0;
     if (picture_wants_solids(plot)) return picture_solids_bytes(plot);
     if (plot->kind == PLOT_CURVES || s->hidden == HIDDEN_NONE) return 0;
     if (s->hidden == HIDDEN_HORIZON) return horizon_bytes(each * s->samples[0]);
@@ -205,6 +205,10 @@ bool picture_is_safe(const plot_t *plot, size_t bytes) {
 }
 
 size_t picture_bytes_least(const plot_t *plot) {
+    const enum hidden_mode hidden = plot->settings->hidden;
+    const bool boxes = CONFIG_SOLIDS && plot->kind == PLOT_SOLIDS && hidden != HIDDEN_HORIZON &&
+                       hidden != HIDDEN_HALO && hidden != HIDDEN_AREA;
+    if (boxes) return picture_boxes_bytes(plot) + 2 * PATH_BYTES_MIN;
     bool turns = plot->kind == PLOT_SURFACES && plot->n == 1; /* half the horizons at a time */
     return hiding_bytes(plot, turns ? EACH_ROUGH / 2 : EACH_ROUGH, false) + 2 * PATH_BYTES_MIN;
 }

@@ -72,7 +72,7 @@ int picture_profiles(picture_t *p, const pen_sink_t *pen) {
     if (plot->n > 1) return ERR_UNSUPPORTED;
     size_t kernel_bytes;
     void *kernel = picture_kernel_memory(p, &kernel_bytes);
-    int err = plot->kind == PLOT_SOLIDS ? cut_terrain(p) : cut_surface(p);
+    int err = plot->kind != PLOT_SOLIDS ? cut_surface(p) : CONFIG_HALO ? cut_terrain(p) : ERR_UNSUPPORTED;
     if (!err) cache_points(p);
     if (!err) err = profile_map_measure(&p->profile_map, &p->profiles);
     if (!err) err = picture_camera(p, p->profile_map.lo, p->profile_map.hi);

@@ -46,20 +46,37 @@ static size_t surfaces_bytes(const plot_t *plot) {
     return bytes;
 }
 
+static mesh_t sum_of(const plot_t *plot, const meshes_t *m) {
+    mesh_t sum = {0};
+    for (int32_t k = 0; k < plot->n; k++) {
+        sum.nv += m->list[k]->nv;
+        sum.faces += m->list[k]->faces;
+        sum.corners += m->list[k]->corners;
+        sum.segments += m->list[k]->segments;
+    }
+    return sum;
+}
+
+/* Convex bodies whose edges have two faces each, of which half look at the eye. */
+size_t picture_boxes_bytes(const plot_t *plot) {
+    meshes_t m;
+    list_meshes(plot, &m);
+    const mesh_t sum = sum_of(plot, &m);
+    const size_t nv = (size_t)sum.nv, faces = (size_t)sum.faces, corners = (size_t)sum.corners;
+    const size_t edges = corners / 2 + (size_t)sum.segments;
+    const size_t kept = nv * sizeof(solid_vertex_t) + corners * sizeof(int32_t) +
+                        faces * (sizeof(solid_face_t) + sizeof(solid_object_t)) + edges * sizeof(solid_edge_t);
+    return kept + surfaces_bytes(plot) + SOLID_MAP_BYTES(sum.nv) + 60 * faces + 8 * corners + ONCE_BYTES(0);
+}
+
 size_t picture_solids_bytes(const plot_t *plot) {
     meshes_t m;
-    mesh_t sum = {0};
     list_meshes(plot, &m);
-    for (int32_t k = 0; k < plot->n; k++) {
-        sum.nv += m.list[k]->nv;
-        sum.faces += m.list[k]->faces;
-        sum.corners += m.list[k]->corners;
-        sum.segments += m.list[k]->segments;
-    }
+    const mesh_t sum = sum_of(plot, &m);
     size_t bytes = solid_bytes(m.list, plot->n) + SOLID_MAP_BYTES(sum.nv) + surfaces_bytes(plot);
     bytes += ONCE_BYTES(sum.corners + sum.segments);
     if (plot->settings->hidden == HIDDEN_NONE) return bytes;
-    if (plot->settings->hidden == HIDDEN_HALO) return bytes + picture_halo_bytes(plot, 4);
+    if (CONFIG_HALO && plot->settings->hidden == HIDDEN_HALO) return bytes + picture_halo_bytes(plot, 4);
     if (plot->settings->hidden == HIDDEN_AREA) return bytes + area_bytes(sum.faces, sum.corners) * 4 / 3;
     return bytes + convex_bytes(sum.faces, sum.corners, sum.segments);
 }
@@ -193,7 +210,7 @@ static int draw_area(picture_t *p, const ink_sink_t *behind, const hidden_job_t 
 static int hide(picture_t *p, const ink_sink_t *dashes, const hidden_job_t *job) {
     const settings_t *set = p->plot->settings;
     if (set->hidden == HIDDEN_NONE) return wires_draw(&p->solid_map, job, &p->stats.hidden);
-    if (set->hidden == HIDDEN_HALO) return picture_halo_solids(p, job);
+    if (set->hidden == HIDDEN_HALO) return CONFIG_HALO ? picture_halo_solids(p, job) : ERR_UNSUPPORTED;
     if (set->hidden == HIDDEN_AREA) return draw_area(p, dashes, job);
     return convex_draw(&p->solid_map, set->dashed ? dashes : NULL, job, &p->stats.hidden);
 }
@@ -204,6 +221,17 @@ static bool is_inside(const picture_t *p) {
     return inside;
 }
 
+/* With all memory that is left, of which it keeps little. */
+static int find_what_coincides(picture_t *p, once_t *once) {
+    const arena_t before = p->arena;
+    const size_t left = arena_left(&p->arena), bytes = left > 16 ? left - 16 : 0;
+    void *mem = arena_take(&p->arena, bytes);
+    int err = mem ? once_build(once, &p->solid_map, mem, bytes) : ERR_FULL;
+    p->arena = before;
+    if (!err && once->bytes > 0) arena_take(&p->arena, once->bytes); /* the same place */
+    return err;
+}
+
 int picture_solids(picture_t *p, const pen_sink_t *pen) {
     int err = build(p);
     if (err) return err;
@@ -211,12 +239,12 @@ int picture_solids(picture_t *p, const pen_sink_t *pen) {
     err = setup_tones(p);
     if (err) return err;
 #endif
-    size_t bytes = 0;
-    uint8_t *mem = picture_kernel_memory(p, &bytes);
-    err = picture_open(p, pen, 1, 4 * (int64_t)p->solid.ne + hatch_runs(p));
-    if (err) return err;
     once_t once;
-    err = mem ? once_build(&once, &p->solid_map, mem, bytes) : ERR_FULL;
+    err = find_what_coincides(p, &once);
+    if (err) return err;
+    size_t bytes = 0;
+    void *mem = picture_kernel_memory(p, &bytes);
+    err = picture_open(p, pen, 1, 4 * (int64_t)p->solid.ne + hatch_runs(p));
     if (err) return err;
     dash_t dash = {p->lines, p->cut.next};
     cut_t cut[2] = {{p->lines, once_seen(&once, p->cut.next)}, {p->lines, once_dashed(&once, dash_sink(&dash))}};
@@ -227,7 +255,7 @@ int picture_solids(picture_t *p, const pen_sink_t *pen) {
     seen = line_class_sink(&sorter[0]);
     hidden = line_class_sink(&sorter[1]);
 #endif
-    const hidden_job_t job = {mem + once.bytes, bytes - once.bytes, &seen, hide_tick, p, false};
+    const hidden_job_t job = {mem, bytes, &seen, hide_tick, p, false};
     err = hide(p, &hidden, &job);
     if (!err) err = once_finish(&once);
     p->stats.facets = p->solid.nf;

@@ -190,7 +190,7 @@ static int draw(picture_t *p, const pen_sink_t *pen) {
 #endif
     const hidden_job_t job = {kernel, kernel_bytes, &sink, hide_tick, p, picture_in_turn(p)};
     if (hidden == HIDDEN_HALO) {
-        err = CONFIG_SOLIDS ? picture_halo_surfaces(p, &job) : ERR_UNSUPPORTED;
+        err = CONFIG_HALO ? picture_halo_surfaces(p, &job) : ERR_UNSUPPORTED;
         p->stats.kernel_bytes = p->stats.hidden.bytes;
     } else if (plain) {
         err = draw_plain(p, isolines);

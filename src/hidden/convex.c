@@ -5,7 +5,7 @@
 #include "hidden/page_grid.h"
 #include "hidden/shadow.h"
 
-#define PARTS_LEAST 64 /* visible parts of one edge there is room for at least */
+#define PARTS_LEAST 16 /* visible parts of one edge there is room for at least */
 
 /* A visible part of the edge at hand: parameters. */
 typedef struct part {

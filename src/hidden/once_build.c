@@ -261,7 +261,8 @@ int once_build(once_t *o, const solid_map_t *m, void *mem, size_t bytes) {
     if (grouped == 0) return 0;
     const size_t room = (size_t)(lent.end - after) / sizeof *o->piece;
     o->group = s.parent;
-    o->n_max = room / 4 > (size_t)grouped ? 4 * (int32_t)grouped : (int32_t)room;
+    const int64_t enough = 4 * grouped + 8;
+    o->n_max = room > (size_t)enough ? (int32_t)enough : (int32_t)room;
     o->piece = (once_piece_t *)(void *)after;
     o->bytes = ((size_t)(after - (uint8_t *)mem) + (size_t)o->n_max * sizeof *o->piece + 7) & ~(size_t)7;
     return 0;

@@ -181,9 +181,7 @@ static void add_face(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w, in
 static void add_line(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w) {
     for (int32_t k = 0; k + 1 < w->count; k++) {
         int32_t p = vertex_of(b, m, mesh_at(w, k)), q = vertex_of(b, m, mesh_at(w, k + 1));
-        if (p == q) continue;
-        int32_t e = b->s->ne++;
-        b->edge[e] = (solid_edge_t){{p < q ? p : q, p < q ? q : p}, {-1, -1}, -1, e};
+        if (p != q) solid_new_edge(b, p, q);
     }
 }
 
@@ -210,19 +208,28 @@ int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, siz
     if (edges > INT32_MAX / 4) return ERR_FULL;
     lent_t m = {mem, (uint8_t *)mem + (bytes & ~(size_t)7), mem == NULL};
     solid_build_t b = {.s = s};
-    b.slots = slots_for(t.vertices > edges ? t.vertices : (int32_t)edges);
     b.vertex = take(&m, t.vertices, sizeof *b.vertex, true);
     b.corner = take(&m, t.corners, sizeof *b.corner, true);
     b.face = take(&m, t.faces, sizeof *b.face, true);
-    b.object = take(&m, t.faces, sizeof *b.object, true);
-    b.edge = take(&m, edges, sizeof *b.edge, true); /* the last one: what is too much of it is given back */
+    b.object = take(&m, t.faces, sizeof *b.object, false); /* mostly far fewer, and moved behind the edges */
     b.map = take(&m, t.vertices_most, sizeof *b.map, false);
-    b.slot = take(&m, b.slots, sizeof *b.slot, false);
     b.corner_face = take(&m, t.corners, sizeof *b.corner_face, false);
     b.corner_next = take(&m, t.corners, sizeof *b.corner_next, false);
     b.parent = take(&m, t.faces, sizeof *b.parent, false);
     b.group = take(&m, t.faces, sizeof *b.group, false);
     if (m.full) return ERR_FULL;
+    /* The rest is for edges and their hash table. Most edges have two faces: when memory is short that is what there is
+     * room for. */
+    const size_t left = (size_t)(m.high - m.low);
+    b.slots = slots_for(t.vertices > edges ? t.vertices : (int32_t)edges);
+    while (b.slots > slots_for(t.vertices) && b.slots * sizeof *b.slot + (size_t)edges * sizeof *b.edge > left)
+        b.slots /= 2;
+    b.slot = take(&m, b.slots, sizeof *b.slot, false);
+    if (m.full) return ERR_FULL;
+    const size_t room = (size_t)(m.high - m.low) / sizeof *b.edge;
+    b.edge = (solid_edge_t *)(void *)m.low;
+    b.edges_max = room < (size_t)edges ? (int32_t)room : (int32_t)edges;
+    if (b.edges_max > (int32_t)(b.slots / 8 * 7)) b.edges_max = (int32_t)(b.slots / 8 * 7);
     s->vertex = b.vertex;
     s->corner = b.corner;
     s->face = b.face;
@@ -232,6 +239,8 @@ int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, siz
     choose_bits(&b);
     fill(&b, mesh, n);
     solid_join(&b);
-    s->bytes = (size_t)((uint8_t *)(b.edge + s->ne) - (uint8_t *)mem);
+    if (b.full) return ERR_FULL;
+    s->object = memmove(b.edge + s->ne, b.object, (size_t)s->no * sizeof *b.object);
+    s->bytes = (size_t)((const uint8_t *)(s->object + s->no) - (uint8_t *)mem);
     return s->ne == 0 ? ERR_EMPTY : 0;
 }

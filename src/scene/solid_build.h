@@ -8,6 +8,8 @@ typedef struct solid_build {
     solid_t *s;
     solid_vertex_t *vertex;
     solid_edge_t *edge;
+    int32_t edges_max; /* there is memory for */
+    bool full;         /* and it did not suffice */
     solid_face_t *face;
     int32_t *corner;
     solid_object_t *object;
@@ -22,6 +24,16 @@ typedef struct solid_build {
     int32_t *group;       /* of each face: which `o` or `g` of which mesh */
     uint32_t *parent;     /* of faces: parent << 1 | does it run the other way; then the face's turn alone */
 } solid_build_t;
+
+/* The next edge, a free one; NULL and b->full if there is no memory for it. */
+static inline solid_edge_t *solid_new_edge(solid_build_t *b, int32_t p, int32_t q) {
+    const int32_t e = b->s->ne;
+    b->full |= e == b->edges_max;
+    if (b->full) return NULL;
+    b->s->ne++;
+    b->edge[e] = (solid_edge_t){{p < q ? p : q, p < q ? q : p}, {-1, -1}, -1, e};
+    return &b->edge[e];
+}
 
 /* solid_join.c: from corners to edges, objects and kinds. s->ne: free segments are there already. */
 void solid_join(solid_build_t *b);

@@ -52,8 +52,8 @@ static void chain_corners(solid_build_t *b) {
         int32_t p = b->corner[c], q = corner_end(b, c);
         int32_t *slot = slot_of(b, p < q ? p : q, p < q ? q : p);
         if (*slot < 0) {
-            *slot = b->s->ne++;
-            b->edge[*slot] = (solid_edge_t){{p < q ? p : q, p < q ? q : p}, {-1, -1}, -1, *slot};
+            *slot = b->s->ne;
+            if (!solid_new_edge(b, p, q)) return;
         }
         b->corner_next[c] = b->edge[*slot].face[0];
         b->edge[*slot].face[0] = c;
@@ -163,9 +163,11 @@ static void spread_corners(solid_build_t *b, int32_t first) {
     bool used = false;
     while (c >= 0) {
         int32_t object = b->face[b->corner_face[c]].object, *link = &c, taken = 0;
-        int32_t e = used ? b->s->ne++ : first;
+        const int32_t e = used ? b->s->ne : first;
         if (used) {
-            b->edge[e] = (solid_edge_t){{b->edge[first].v[0], b->edge[first].v[1]}, {-1, -1}, -1, first};
+            solid_edge_t *twin = solid_new_edge(b, b->edge[first].v[0], b->edge[first].v[1]);
+            if (!twin) return;
+            twin->first = first;
             b->edge[last].twin = e;
         }
         used = true;
@@ -241,13 +243,16 @@ static void turn_outward(solid_build_t *b) {
 
 void solid_join(solid_build_t *b) {
     solid_t *s = b->s;
+    if (b->full) return;
     memset(b->slot, 0xff, b->slots * sizeof *b->slot);
     chain_segments(b);
     chain_corners(b);
+    if (b->full) return;
     unite_all(b);
     number_objects(b);
     int32_t pairs = s->ne;
     for (int32_t e = 0; e < pairs; e++) spread_corners(b, e);
+    if (b->full) return;
     for (int32_t f = 0; f < s->nf; f++)
         if (b->parent[f]) reverse(b, f);
     turn_outward(b);

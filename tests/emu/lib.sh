@@ -56,10 +56,11 @@ run_rp2040() { # stim, drawings
 }
 
 # What both consoles say alike: not the board's name, nor numbers that were true a moment earlier or later, nor flow control,
-# which depends on how fast a board is, nor the prompt at the end, before which settings may be written to flash.
+# which depends on how fast a board is, nor how much of the memory pointers take, nor the prompt at the end, before which settings may be written to flash.
 said() {
     LC_ALL=C tr -d '\021\023' <"$1" | LC_ALL=C sed -e 's/ on [a-z0-9]*; help/ on BOARD; help/' -e '/settings could not be kept/d' \
-        -e 's/MPos:[-0-9.,]*/MPos:/; s/Done:[0-9]*/Done:/; s/Left:[0-9?]*/Left:/' -e '${/^> $/d;}'
+        -e 's/MPos:[-0-9.,]*/MPos:/; s/Done:[0-9]*/Done:/; s/Left:[0-9?]*/Left:/' \
+        -e 's/memory, [0-9]* are free/memory, N are free/' -e '${/^> $/d;}'
 }
 
 scene() { # name, most us that an edge may differ, drawings
