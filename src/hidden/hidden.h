@@ -29,6 +29,7 @@ typedef struct hidden_stats {
     int64_t pieces;                 /* pieces given to the sink */
     int64_t evaluated;              /* points evaluated while drawing */
     int32_t peak_upper, peak_lower; /* most vertices each horizon had */
+    int32_t windows;                /* most windows between them (windows.h) */
     size_t bytes;                   /* lent memory that was used, at its peak */
 } hidden_stats_t;
 

@@ -10,11 +10,20 @@ $(BUILDDIR)/report/%: $(BUILDDIR)/obj/tests/report/%.o $(REPORT_LIB) $(BUILDDIR)
 	$(call say,LD,$@)
 	$(Q)$(CC) $(LDFLAGS) $(REPORT_WRAP) $^ $(HOST_LIBS) $(shell pkg-config --libs cairo) $(TEST_LIBS) -o $@
 
+# Solids on coarser lattices: only these two sources know how fine it is.
+SOLID_BITS := 18 20 22 24 28
+SOLID_BITS_SRC := tests/report/tools/solid_bits.c src/scene/solid.c src/view/solid_map.c
+$(BUILDDIR)/report/solid_bits_%: $(SOLID_BITS_SRC) $(REPORT_LIB) $(BUILDDIR)/liboracle.a $(BUILDDIR)/libhost.a $(BUILDDIR)/libcore.a
+	@mkdir -p $(@D)
+	$(call say,CC,$@)
+	$(Q)$(CC) $(CPPFLAGS) $(CFLAGS) -DSOLID_BITS=$* $(SOLID_BITS_SRC) $(LDFLAGS) $(REPORT_WRAP) $(filter-out %.c,$^) $(HOST_LIBS) \
+	    $(shell pkg-config --libs cairo) $(TEST_LIBS) -o $@
+
 report: ## install what is missing, write docs/report: speed against error, hard cases, the papers' experiments
 	$(Q)sh .ci/deps.sh host test firmware emu check
 	+$(Q)$(again) report-run
 # SECTION=solids: that section alone (report_solids.c), put into the README that is there.
-report-run: $(if $(SECTION),$(BUILDDIR)/report/report_$(SECTION),host $(REPORTS) $(BARE_COUNTS))
+report-run: $(if $(SECTION),$(BUILDDIR)/report/report_$(SECTION),host $(REPORTS) $(BARE_COUNTS) $(SOLID_BITS:%=$(BUILDDIR)/report/solid_bits_%))
 	$(Q)CROSS=$(CROSS) sh tests/report/report.sh $(BUILDDIR) $(REPORT_DIR) $(SECTION)
 .PHONY: report report-run
 # tests/cli/test_report.sh runs it.

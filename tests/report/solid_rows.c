@@ -103,6 +103,23 @@ static void all_solids(bool area) {
     }
 }
 
+void solid_rows_bits(void) {
+    solid_scene_t s;
+    quick = true;
+    for (int area = 0; area < 2; area++) {
+        const char *kernel = area ? "area" : "convex";
+        solid_scene_cubes(&s, 7);
+        solids(add_row(kernel, "cubes", 7, NAN), &s, area, 0);
+        solid_scene_free(&s);
+        row_t *w = add_row(kernel, "random", 8, NAN);
+        for (uint64_t seed = 0; seed < 25; seed++) {
+            solid_scene_random(&s, 1971 + seed, 8);
+            solids(w, &s, area, 0);
+            solid_scene_free(&s);
+        }
+    }
+}
+
 /* --- haloes --- */
 
 typedef struct wires {

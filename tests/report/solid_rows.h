@@ -33,4 +33,7 @@ extern int rows;
  * few small scenes. */
 void solid_rows_measure(bool quick);
 
+/* Fills them with a few families of solids alone, for solid_bits.c. */
+void solid_rows_bits(void);
+
 #endif
