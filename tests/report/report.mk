@@ -12,6 +12,7 @@ $(BUILDDIR)/report/%: $(BUILDDIR)/obj/tests/report/%.o $(REPORT_LIB) $(BUILDDIR)
 
 # Solids on coarser lattices: only these two sources know how fine it is.
 SOLID_BITS := 18 20 22 24 28
+SOLID_BITS_PROGRAMS := $(SOLID_BITS:%=$(BUILDDIR)/report/solid_bits_%)
 SOLID_BITS_SRC := tests/report/tools/solid_bits.c src/scene/solid.c src/view/solid_map.c
 $(BUILDDIR)/report/solid_bits_%: $(SOLID_BITS_SRC) $(REPORT_LIB) $(BUILDDIR)/liboracle.a $(BUILDDIR)/libhost.a $(BUILDDIR)/libcore.a
 	@mkdir -p $(@D)
@@ -23,7 +24,8 @@ report: ## install what is missing, write docs/report: speed against error, hard
 	$(Q)sh .ci/deps.sh host test firmware emu check
 	+$(Q)$(again) report-run
 # SECTION=solids: that section alone (report_solids.c), put into the README that is there.
-report-run: $(if $(SECTION),$(BUILDDIR)/report/report_$(SECTION),host $(REPORTS) $(BARE_COUNTS) $(SOLID_BITS:%=$(BUILDDIR)/report/solid_bits_%))
+SECTION_NEEDS = $(if $(filter bits,$(SECTION)),$(SOLID_BITS_PROGRAMS),$(BUILDDIR)/report/report_$(SECTION))
+report-run: $(if $(SECTION),$(SECTION_NEEDS),host $(REPORTS) $(BARE_COUNTS) $(SOLID_BITS_PROGRAMS))
 	$(Q)CROSS=$(CROSS) sh tests/report/report.sh $(BUILDDIR) $(REPORT_DIR) $(SECTION)
 .PHONY: report report-run
 # tests/cli/test_report.sh runs it.

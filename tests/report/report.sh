@@ -9,12 +9,29 @@ tmp=$(mktemp -d)
 trap 'rm -rf "$tmp"' EXIT
 mkdir -p "$out"
 
+# Solids on coarser lattices (tools/solid_bits.c).
+solid_bits() {
+    printf 'kernel\tfamily\tbits\tscenes\twrong\tmissing_steps\tfalse_steps\tend_steps\n' >"$out/solids-bits.tsv"
+    printf '\n## Bits of the lattice of solids\n\nThe lattice of the scene, coarser, against the bodies as their files have them: bits below a step of A4.\n\n'
+    printf '| kernel | family | bits | scenes (wrong) | missing | false | end | ns per element |\n|---|---|--:|--:|--:|--:|--:|--:|\n'
+    for b in 28 24 22 20 18; do "$bin/solid_bits_$b"; done >"$tmp/solid-bits"
+    for row in convex.cubes convex.random area.cubes area.random; do
+        awk -F '\t' -v row=$row -v tsv="$out/solids-bits.tsv" '$1 "." $2 == row {
+            printf "| %s | %s | %s%s | %s (%s) | %s | %s | %s | %s |\n", $1, $2, $3, $3 == 14 ? " (shipped)" : "", $4, $5, $6, $7, $8, $9
+            printf "%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n", $1, $2, $3, $4, $5, $6, $7, $8 >>tsv }' "$tmp/solid-bits"
+    done
+    echo
+    echo '**Shipped: 14 bits below a step**, what 32-bit differences with products of 64 and determinants of 126 bits take. Fewer are no'
+    echo 'faster. From 8 bits on thin bodies become so flat that touching, which is generous by 4 units, is all that is left of'
+    echo 'them; with 6 bits and fewer most random scenes are wrong, and with none nothing is left to divide by.'
+}
+
 # The section of a program, between marks by which it is found again.
 section() {
-    [ -x "$bin/report_$1" ] || return 0
+    [ "$1" = bits ] || [ -x "$bin/report_$1" ] || return 0
     echo
     echo "<!-- $1 -->"
-    "$bin/report_$1" "$out"
+    if [ "$1" = bits ]; then solid_bits; else "$bin/report_$1" "$out"; fi
     echo "<!-- /$1 -->"
 }
 if [ -n "$3" ]; then
@@ -55,23 +72,6 @@ costs() {
     echo "gnuplot's hidden3d 23,900 / 40,700."
 }
 
-# Solids on coarser lattices (tools/solid_bits.c).
-solid_bits() {
-    printf 'kernel\tfamily\tbits\tscenes\twrong\tmissing_steps\tfalse_steps\tend_steps\n' >"$out/solids-bits.tsv"
-    printf '\n## Bits of the lattice of solids\n\nThe lattice of the scene, coarser, against the bodies as their files have them: bits below a step of A4.\n\n'
-    printf '| kernel | family | bits | scenes (wrong) | missing | false | end | ns per element |\n|---|---|--:|--:|--:|--:|--:|--:|\n'
-    for b in 28 24 22 20 18; do "$bin/solid_bits_$b"; done >"$tmp/solid-bits"
-    for row in convex.cubes convex.random area.cubes area.random; do
-        awk -F '\t' -v row=$row -v tsv="$out/solids-bits.tsv" '$1 "." $2 == row {
-            printf "| %s | %s | %s%s | %s (%s) | %s | %s | %s | %s |\n", $1, $2, $3, $3 == 14 ? " (shipped)" : "", $4, $5, $6, $7, $8, $9
-            printf "%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n", $1, $2, $3, $4, $5, $6, $7, $8 >>tsv }' "$tmp/solid-bits"
-    done
-    echo
-    echo '**Shipped: 14 bits below a step**, what 32-bit differences with products of 64 and determinants of 126 bits take. Fewer are no'
-    echo 'faster. From 8 bits on thin bodies become so flat that touching, which is generous by 4 units, is all that is left of'
-    echo 'them; with 4 bits and fewer most random scenes are wrong, and with none nothing is left to divide by.'
-}
-
 {
     echo '# The numbers report'
     echo
@@ -85,8 +85,7 @@ solid_bits() {
     "$bin/report_simplify" "$out"
     costs
     sh tests/report/boards.sh "$1" "$out"
-    for s in formats hard needs papers solids; do section $s; done
-    solid_bits
+    for s in formats hard needs papers solids bits; do section $s; done
     echo
     echo '![error over bits and families](landscape.svg)'
     echo
