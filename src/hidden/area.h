@@ -29,6 +29,7 @@
 /* What a scene's area sort found, beside hidden_stats_t. */
 typedef struct area_stats {
     int64_t polygons;      /* that take part: not those seen edge-on or from behind */
+    int64_t lateral;       /* boxes held against that of a clip polygon */
     int64_t clips;         /* pairs clipped; those that a glance tells apart are not counted */
     int64_t removed;       /* pieces behind a clip polygon */
     int64_t errors;        /* sort errors: polygons in front of the one that was taken to be the front-most */
@@ -48,6 +49,7 @@ typedef struct area_sink {
     /* A visible part of a line that no polygon ends in: free segments, edges of faces that are seen edge-on. From and
      * to are fractions of what of it is in front of the eye. */
     int (*wire)(void *ctx, int32_t edge, int32_t from_q30, int32_t to_q30);
+    int32_t window_faces; /* most polygons in a window of the screen subdivision; 0: what was found to be best */
 } area_sink_t;
 
 /* Memory for a scene of so many faces with so many corners: in one window unless it is cut up very much. */

@@ -133,7 +133,7 @@ int area_draw(const solid_map_t *m, const area_tone_t *tone, const ink_sink_t *b
     _Static_assert(INTERVALS_SHARES == 2, "a share for each");
     int err = 0;
     if (tone) err = area_toner_make(&ink.toner, tone, m, mem + sort_bytes, tone_bytes, mem, sort_bytes);
-    const area_sink_t sink = {&ink, take_polygon, take_wire};
+    const area_sink_t sink = {.ctx = &ink, .polygon = take_polygon, .wire = take_wire};
     if (!err && ink.clear) { /* all that is seen as if nothing translucent were there */
         solid_map_t through = *m;
         through.through = true;

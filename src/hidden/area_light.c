@@ -232,7 +232,7 @@ int lit_make(lit_t *s, const solid_map_t *m, const light_t *light, int32_t light
     s->words_max = (int32_t)((bytes - fixed) / sizeof(int32_t) & 0x7fffffff);
     for (int32_t k = 0; k < lights * m->solid->nf; k++) s->head[k] = -1;
     for (s->which = 0; s->which < lights; s->which++) {
-        const area_sink_t sink = {s, take_lit, no_wire};
+        const area_sink_t sink = {.ctx = s, .polygon = take_lit, .wire = no_wire};
         area_stats_t stats;
         int err = look_from(s, &light[s->which], place);
         if (!err) err = area_sort(&s->map, sort_mem, sort_bytes, &sink, NULL, NULL, &stats);

@@ -123,12 +123,17 @@ static int clip_piece(area_t *a, int32_t piece, int32_t by, area_list_t *in, are
         area_list_add(pool, out, piece);
         return 0;
     }
-    area_list_t parts;
-    int32_t outside = area_pool_clipped(pool, face, &a->clip, 1, &err);
+    /* Outside, parts are apart because each meets fewer clip polygons than all of them do. */
+    area_list_t parts, outside;
+    err = area_pool_parts(pool, face, &a->clip, 1, &outside);
     if (!err) err = area_pool_parts(pool, face, &a->clip, 0, &parts);
     if (err) return err;
-    if (outside != AREA_NONE) area_list_add(pool, out, outside);
-    bool same = exact && outside == AREA_NONE && parts.first == parts.last; /* wholly inside, with its own vertices */
+    bool same =
+        exact && outside.first == AREA_NONE && parts.first == parts.last; /* wholly inside, with its own vertices */
+    for (int32_t k = outside.first, next; k != AREA_NONE; k = next) {
+        next = pool->piece[k].next;
+        area_list_add(pool, out, k);
+    }
     for (int32_t k = parts.first, next; k != AREA_NONE; k = next) {
         next = pool->piece[k].next;
         const poly_t p = area_pool_poly(pool, k);
@@ -161,6 +166,7 @@ static int clip_list(area_t *a, area_list_t list, int32_t by, area_list_t *in, a
     for (int32_t k = list.first, next; k != AREA_NONE; k = next) {
         const area_piece_t *p = &a->pool.piece[k];
         next = p->next;
+        a->stats->lateral++;
         if (p->face == by) {
             area_list_add(&a->pool, in, k);
         } else if (!area_boxes_meet(&p->box, &a->faces.face[by].box)) {
@@ -290,11 +296,11 @@ static int sort_window(area_t *a, const area_box_t *box) {
 
 static int sort_windows(area_t *a, area_box_t all, const area_progress_t *progress) {
     area_window_t todo[WINDOWS_DEEP + 2] = {{all, 0}};
-    int32_t n = 1, done = 0;
+    int32_t n = 1, done = 0, most = a->sink->window_faces ? a->sink->window_faces : WINDOW_FACES;
     while (n > 0) {
         area_window_t w = todo[--n], half[2];
         int32_t faces = count_in(a, &w.box);
-        bool many = faces > WINDOW_FACES || faces > a->pool.pieces_max / PIECES_PER_FACE;
+        bool many = faces > most || faces > a->pool.pieces_max / PIECES_PER_FACE;
         if (!many || !halve(&w, a->faces.lattice.bits, half)) {
             int err = faces ? sort_window(a, &w.box) : 0;
             many = err == ERR_FULL && !a->sink_failed && halve(&w, a->faces.lattice.bits, half);
