@@ -8,6 +8,8 @@ packages() {
     firmware) echo gcc-arm-none-eabi libnewlib-arm-none-eabi ;;
     emu)
         echo qemu-system-arm
+        # The boards' simulators are 32-bit programs.
+        case $(uname -m) in x86_64) echo gcc-multilib ;; esac
         # Whoever has another Node.js than Debian's keeps it.
         command -v node >/dev/null || echo nodejs
         command -v npm >/dev/null || echo npm

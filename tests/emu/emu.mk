@@ -1,14 +1,17 @@
 # emu.mk - the images run in emulators, watched from outside, against the same program on the simulator.
 EMUDIR := $(BUILDDIR)/emu
+# Pools are as large as their items, so the simulator of a board is built with the board's sizes: 32-bit pointers, 64-bit
+# integers on 8 bytes, enumerations as small as their values. Elsewhere than on x86 it draws large scenes in another order.
+EMU_ABI := $(if $(filter x86_64,$(shell uname -m)),-m32 -malign-double -fshort-enums)
 define sim_board
 $(EMUDIR)/obj-$1/firmware/main.o: CPPFLAGS += -Dmain=firmware_main -Wno-missing-prototypes
 $(EMUDIR)/obj-$1/%.o: %.c firmware/boards.mk
 	@mkdir -p $$(@D)
 	$$(call say,CC,$1 $$<)
-	$$(Q)$(CC) $(CFLAGS) $$(CPPFLAGS) $$(addprefix -D,$$(CONFIG_$1)) -c $$< -o $$@
+	$$(Q)$(CC) $(CFLAGS) $(EMU_ABI) $$(CPPFLAGS) $$(addprefix -D,$$(CONFIG_$1)) -c $$< -o $$@
 $(EMUDIR)/sim-$1: $(patsubst %.c,$(EMUDIR)/obj-$1/%.o,firmware/main.c tests/emu/sim_main.c $(CORE_SRC) $(SIM_SRC))
 	$$(call say,LD,$$@)
-	$$(Q)$(CC) $$^ -o $$@
+	$$(Q)$(CC) $(EMU_ABI) $$^ -o $$@
 endef
 $(foreach b,$(BOARDS),$(eval $(call sim_board,$b)))
 $(EMUDIR)/scope.so: tests/emu/scope.c tests/emu/stim.h

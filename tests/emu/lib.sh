@@ -1,8 +1,9 @@
 # lib.sh - for the tests of the boards: runs an image in its emulator and the same program on the simulator, and compares
 # what the pins did and what the console said. Prints cmocka's lines.
 #
-#     scene NAME US [DRAWINGS]    tests/emu/scenes/NAME.stim, or the board's own of that name, in both; every edge within US microseconds of the other's; the run
-#                                 ends after so many drawings (1), or with the scene's own `quit`
+#     scene NAME US [DRAWINGS]    tests/emu/scenes/NAME.stim, or the board's own of that name, in both; every edge within US microseconds of the other's
+#                                 ("any": only their sequence counts, where the pen waits for the chip, whose arithmetic takes no time on the simulator);
+#                                 the run ends after so many drawings (1), or with the scene's own `quit`
 #     again NAME US [DRAWINGS]    the same on the board of the last scene: its power was off and is on again
 #     says TEXT                   ... and the console of the last scene said that (an extended regular expression)
 # A scene is played on a new board, on which nothing has been saved.
@@ -84,7 +85,7 @@ again() {
         us=$(sed -n '1s/^same sequence.* difference \([0-9.]*\) us at most.*/\1/p' "$work/difference")
         said "$work/sim.txt" >"$work/sim.said"
         said "$work/emu.txt" >"$work/emu.said"
-        if [ -z "$us" ] || ! awk "BEGIN { exit !($us <= $2) }"; then
+        if [ -z "$us" ] || { [ "$2" != any ] && ! awk "BEGIN { exit !($us <= $2) }"; }; then
             bad "$1: pins differ"
             cat "$work/difference" "$work/emu.txt"
         elif ! diff -a "$work/sim.said" "$work/emu.said" >"$work/difference"; then

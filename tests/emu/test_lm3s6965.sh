@@ -4,5 +4,6 @@
 board=lm3s6965
 . tests/emu/lib.sh
 for s in smooth perspective corexy horizon rand sinc status data cubes halo smooth60; do scene $s 0.8; done
+scene rand60 any
 . tests/emu/behave.sh
 finish
