@@ -2,6 +2,8 @@
 # switch does may be.
 within=0.8
 [ $board = nrf51 ] && within=2
+scene refused $within
+says '^The paper reaches beyond the machine'
 scene hold $within
 says '^<Run.MPos:.*Pen:down'
 scene stop $within 9

@@ -7,7 +7,7 @@
 // instruction and ends the run by returning true; finish() is called then.
 // The package's own run loop is not used: time is advanced instruction by instruction, and what was pending before WFI ends it.
 // The boot ROM is stood in for: the boot loader's checksum is checked, it is copied to RAM and entered, as the ROM does; and
-// flash routines are found where the ROM has them. The file named by $STORE keeps the last 16 KB of flash for the next run. Any warning of the emulator fails the run.
+// flash routines are found where the ROM has them. The run ends, too, when all has been played and no pin has moved for 30 s. The file named by $STORE keeps the last 16 KB of flash for the next run. Any warning of the emulator fails the run.
 import { readFileSync, openSync, writeSync, closeSync, writeFileSync, existsSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
@@ -69,6 +69,8 @@ function romCall(code) {
 }
 
 // ---- the recording
+const STILL_NS = 30e9;
+let moved = 0; // when a pin did, or the last thing to be played will be
 let done = false, firstNs = -1, drawn = 0, written = -1, buffer = [];
 const vcd = openSync(vcdFile, 'w');
 const flush = () => {
@@ -88,6 +90,7 @@ for (const gpio of Object.keys(PIN)) {
     const active = (state === GPIOPinState.High ? 1 : 0) ^ low;
     if (active === level[signal]) return;
     level[signal] = active;
+    moved = Math.max(moved, clock.nanos);
     const ps = Math.round(clock.nanos * 1000);
     if (ps !== written) buffer.push(`#${ps}\n`);
     written = ps;
@@ -120,6 +123,7 @@ function play(relative) {
   for (const s of stims) {
     if (s.relative !== relative) continue;
     const ns = origin + s.ns;
+    moved = Math.max(moved, ns);
     if (s.verb === 'type') [...unescape(s.rest)].forEach((c, i) => at(ns + i * 10 * BIT_NS, () => mcu.uart[0].feedByte(c.charCodeAt(0))));
     else if (s.verb === 'input') {
       const [name, value] = s.rest.split(' ');
@@ -162,7 +166,7 @@ while (!done) {
   if (probed?.step(pc, cycles, waiting)) done = true;
   clock.tick((cycles * 1e9) / mcu.clkSys);
   if (core.waiting && core.checkForInterrupts()) core.waiting = false;
-  if (problems.length) done = true;
+  if (problems.length || clock.nanos > moved + STILL_NS) done = true;
 }
 buffer.push(`#${Math.round(clock.nanos * 1000)}\n`);
 flush();

@@ -4,8 +4,8 @@
  *     -plugin scope.so,vcd=out.vcd,stim=in.txt,pin=x_step:PATH@LINE,...,input=limit_x:PATH@LINE:low,...
  *
  * store=FILE,flash=ADDRESS+BYTES writes that part of the flash to the file when the run ends.
- * drawings=N ends the run 20 ms after `enable` has gone off for the N-th time. A byte that the UART model cannot take
- * is written to stderr, where the test finds it.
+ * drawings=N ends the run 20 ms after `enable` has gone off for the N-th time; it ends, too, when all has been played
+ * and no pin has moved for 30 s. A byte that the UART model cannot take is written to stderr, where the test finds it.
  *
  * Debian's QEMU 7.2 has no headers for plugins, and the public interface has neither virtual time nor GPIO lines; so
  * both the interface and the internals used (which its binary exports) are declared here by hand. */
@@ -22,6 +22,7 @@
 #define BYTE_NS 86806
 #define PINS 6
 #define QUIET_NS 20000000
+#define STILL_NS 30000000000
 
 /* The public interface, version 1. */
 typedef uint64_t qemu_plugin_id_t;
@@ -71,7 +72,7 @@ static struct {
     int drawings, to_draw;
     stim_t *stim;
     int stims, at, byte;
-    bool started;
+    bool started, ending;
     char store[160];
     unsigned flash_at, flash_bytes;
     _Alignas(16) unsigned char timer[256]; /* a QEMUTimer, which is smaller */
@@ -91,9 +92,11 @@ static void quit(void *unused) {
 }
 
 static void schedule(void) {
-    if (g.at == g.stims) return;
     const stim_t *s = &g.stim[g.at];
-    if (s->relative && g.first_ns < 0) return; /* waits for the first change */
+    if (g.at == g.stims || (s->relative && g.first_ns < 0)) { /* that waits for the first change */
+        if (!g.ending) timer_mod(g.quiet, qemu_clock_get_ns(CLOCK_VIRTUAL) + STILL_NS);
+        return;
+    }
     int64_t at = s->ns + (s->relative ? g.first_ns : 0) + (int64_t)g.byte * BYTE_NS;
     int64_t now = qemu_clock_get_ns(CLOCK_VIRTUAL);
     timer_mod(g.timer, at > now ? at : now + 1);
@@ -136,12 +139,15 @@ static void edge(void *opaque, int n, int level) {
     if (active != (bool)(g.level >> pin & 1)) {
         g.level ^= (uint8_t)(1 << pin);
         write_change(pin, active);
+        if (g.at == g.stims && !g.ending) timer_mod(g.quiet, qemu_clock_get_ns(CLOCK_VIRTUAL) + STILL_NS);
         if (g.first_ns < 0) {
             g.first_ns = qemu_clock_get_ns(CLOCK_VIRTUAL);
             schedule();
         }
-        if (pin == PINS - 1 && !active && ++g.drawings == g.to_draw)
+        if (pin == PINS - 1 && !active && ++g.drawings == g.to_draw) {
+            g.ending = true;
             timer_mod(g.quiet, qemu_clock_get_ns(CLOCK_VIRTUAL) + QUIET_NS);
+        }
     }
     if (w->next) qemu_set_irq(w->next, level);
     (void)n;

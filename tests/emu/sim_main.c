@@ -3,7 +3,9 @@
  *
  *     sim-BOARD STIM OUT.vcd OUT.txt DRAWINGS [STORE]
  *
- * STORE keeps the saved settings and scene from one run to the next, as the chip's flash does. */
+ * STORE keeps the saved settings and scene from one run to the next, as the chip's flash does. The run ends when
+ * everything has been played and no pin has moved for STILL_S: a scene that is refused does not wait for its drawing.
+ */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -12,6 +14,8 @@
 #include "sim/sim_console.h"
 #include "sim/vcd.h"
 #include "tests/emu/stim.h"
+
+#define STILL_S 30
 
 int firmware_main(void); /* main() of firmware/main.c, compiled under this name */
 
@@ -22,6 +26,7 @@ static struct {
     int stims;
     int drawings, to_draw;
     bool started;
+    uint64_t moved; /* tick of the last pin change, or of the last thing to be played */
     const char *store;
 } g;
 
@@ -57,6 +62,12 @@ static uint64_t ticks_of(int64_t ns) {
     return (uint64_t)(ns * 2 / 125);
 }
 
+/* Looks once a second. */
+static void look(void *ctx) {
+    if (sim_now() > g.moved + (uint64_t)STILL_S * HAL_TICK_HZ) finish(ctx);
+    sim_at(sim_now() + HAL_TICK_HZ, look, ctx);
+}
+
 static void play(bool relative) {
     uint64_t origin = relative ? sim_now() : 0;
     for (int i = 0; i < g.stims; i++) {
@@ -66,11 +77,13 @@ static void play(bool relative) {
         if (s->kind == STIM_TYPE) sim_console_type(at, s->text, (size_t)s->bytes);
         if (s->kind == STIM_INPUT) sim_inputs_set(at, 1u << s->input, s->level ? 1u << s->input : 0);
         if (s->kind == STIM_QUIT) sim_at(at, finish, NULL);
+        if (at > g.moved) g.moved = at;
     }
 }
 
 static void record(void *ctx, uint64_t tick, uint32_t pins, uint32_t changed) {
     vcd_record(ctx, tick, pins, changed);
+    if (tick > g.moved) g.moved = tick;
     if (!g.started) {
         g.started = true;
         play(true);
@@ -99,5 +112,6 @@ int main(int argc, char **argv) {
     vcd_begin(&g.vcd, vcd_write_file, g.trace, NULL, argv[1], 0);
     sim_record(record, &g.vcd);
     play(false);
+    sim_at(HAL_TICK_HZ, look, NULL);
     return firmware_main();
 }
