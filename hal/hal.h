@@ -24,9 +24,28 @@ enum hal_pin {
 
 /* Sets the pins in mask to the bits of value, all at once where the hardware can. */
 void hal_pins_write(uint32_t mask, uint32_t value);
-/* Wiring that differs from the board's: these pins and inputs (enum hal_input) are turned round from now on. At rest
- * only; the pins are written anew. */
-void hal_invert(uint32_t pins, uint32_t inputs);
+
+/* What lifts the pen. Its pin follows HAL_PEN within 1 ms, a servo's with its next pulse, 20 ms later at most. */
+enum hal_pen_kind {
+    HAL_PEN_LEVEL,    /* the pin is active while the pen is down */
+    HAL_PEN_SERVO,    /* 50 pulses a second, whose width is the servo's place, also while the motors are off */
+    HAL_PEN_SOLENOID, /* power to pull, then a part of it to hold, by pulses of 25 kHz */
+};
+
+/* How a machine is wired, where that differs from the board's own way. */
+typedef struct hal_wiring {
+    uint8_t invert_pins;     /* enum hal_pin: these are turned round */
+    uint8_t invert_inputs;   /* enum hal_input */
+    uint8_t pen;             /* enum hal_pen_kind; a board without PWM has a level only (CONFIG_PEN_PWM) */
+    uint8_t hold_percent;    /* solenoid: 1 .. 100 */
+    uint16_t up_us, down_us; /* servo: width of the pulses, below 20,000 */
+    uint16_t glide_ms;       /* servo: the width changes evenly in so long; 0: at once */
+    uint16_t pull_ms;        /* solenoid: all of the power so long */
+} hal_wiring_t;
+/* The machine is wired so from now on; the pins are written anew. At rest only. Before the first call they are
+ * not driven: which level is rest is not known, and resistors keep them there. */
+void hal_wire(const hal_wiring_t *wiring);
+
 uint32_t hal_now(void);
 
 /* A port may play edges by itself, so that stepgen_isr can make many in one go: hal_edges() tells how many it takes now
@@ -54,8 +73,8 @@ void hal_idle(void);
 /* Stops everything: pen up, motors off, message out. Does not return on a board. */
 void hal_fault(const char *what, int32_t a, int32_t b);
 
-/* Brings the chip up: first the pins safe (motors off, pen up), then clocks, timer, console, inputs. Interrupts are on
- * afterwards. Called once, by main. */
+/* Brings the chip up: first the pins safe, then clocks, timer, console, inputs. Interrupts are on afterwards. Called
+ * once, by main. */
 void hal_start(void);
 /* For the banner: "rp2040", "lm3s6965", "nrf51", "sim". */
 const char *hal_board_name(void);

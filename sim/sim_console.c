@@ -27,7 +27,8 @@ static struct {
     uint32_t errors;
     press_t press[SIM_EVENTS];
     uint32_t press_head, press_tail;
-    uint32_t inputs;
+    uint32_t inputs; /* levels: 1 is active with the board's own wiring */
+    uint32_t inverted;
     uint32_t cut;
     bool dead;
     uint64_t watchdog, fed, longest; /* ticks; watchdog 0: off */
@@ -95,7 +96,7 @@ static void inputs_change(void *ctx) {
     press_t p = c.press[c.press_tail++ % SIM_EVENTS];
     uint32_t before = c.inputs;
     c.inputs = (before & ~p.mask) | (p.value & p.mask);
-    if (c.inputs & ~before & STOPPING) console_input_isr(c.inputs);
+    if ((c.inputs ^ c.inverted) & ~(before ^ c.inverted) & STOPPING) console_input_isr(hal_inputs());
 }
 
 void sim_inputs_set(uint64_t tick, uint32_t mask, uint32_t value) {
@@ -104,7 +105,12 @@ void sim_inputs_set(uint64_t tick, uint32_t mask, uint32_t value) {
 }
 
 uint32_t hal_inputs(void) {
-    return c.inputs;
+    return c.inputs ^ c.inverted;
+}
+
+/* Pins are recorded as the program means them. */
+void hal_wire(const hal_wiring_t *wiring) {
+    c.inverted = wiring->invert_inputs;
 }
 
 void hal_trip(uint32_t limits) {

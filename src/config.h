@@ -138,6 +138,11 @@ _Static_assert(CONFIG_DATA_COLUMNS < 64, "data_reader keeps one bit per column i
 #define CONFIG_ORDER_US 1000
 #endif
 
+/* The pen's pin can be a servo's or a solenoid's (hal.h). */
+#ifndef CONFIG_PEN_PWM
+#define CONFIG_PEN_PWM 1
+#endif
+
 /* Width of a step pulse and how long DIR stands before it, by default (ns). What the drivers need, and not less than
  * what the chip's interrupt can keep. */
 #ifndef CONFIG_PULSE_NS

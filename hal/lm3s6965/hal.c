@@ -49,6 +49,11 @@ void hal_watchdog_feed(void) {
     WDT_LOCK = 0;
 }
 
+void port_wire(const hal_wiring_t *wiring) {
+    (void)wiring; /* no PWM */
+    GPIO_DEN(GPIOB) = PORT_ALL_PINS;
+}
+
 const char *hal_board_name(void) {
     return "lm3s6965";
 }
@@ -64,10 +69,10 @@ static void clocks_start(void) {
 
 void hal_start(void) {
     SYSCTL_RCGC2 = 1u << 0 | 1u << 1 | 1u << 4;
-    (void)SYSCTL_RCGC2; /* the ports answer three cycles later */
+    (void)SYSCTL_RCGC2;  /* the ports answer three cycles later */
+    GPIO_DEN(GPIOB) = 0; /* the pads are off until port_wire */
     GPIO_DIR(GPIOB) = PORT_ALL_PINS;
     GPIO_DATA(GPIOB, PORT_ALL_PINS) = port.invert;
-    GPIO_DEN(GPIOB) = PORT_ALL_PINS;
     clocks_start();
     SYSCTL_RCGC0 |= 1u << 3;
     SYSCTL_RCGC1 |= 1u << 16 | 1u << 0;

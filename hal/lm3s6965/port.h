@@ -20,6 +20,8 @@ void port_systick_isr(void);
 void port_switches_isr(void);
 void port_uart_isr(void);
 void port_timer_isr(void);
+void port_wire(const hal_wiring_t *wiring);
+static inline void port_pen_up(void) {}
 
 typedef struct port_state {
     uint32_t ticks, part; /* clock at systick, and 1/25 ticks */

@@ -71,13 +71,17 @@ void hal_watchdog_feed(void) {
     WDT_RR0 = 0x6e524635;
 }
 
+void port_wire(const hal_wiring_t *wiring) {
+    (void)wiring; /* no PWM */
+    GPIO_DIRSET = port_spread[PORT_ALL_PINS];
+}
+
 const char *hal_board_name(void) {
     return "nrf51";
 }
 
 void hal_start(void) {
-    hal_pins_write(0x3f, 0);
-    GPIO_DIRSET = port_spread[0x3f];
+    hal_pins_write(PORT_ALL_PINS, 0);
     for (int i = 0; i < 4; i++) GPIO_PIN_CNF(INPUT[i]) = 3u << 2; /* pulled up */
 
     CLOCK_HFCLKSTART = 1; /* the crystal */

@@ -31,6 +31,8 @@ enum { PIN_X_STEP = 3, PIN_X_DIR = 2, PIN_Y_STEP = 1, PIN_Y_DIR = 18, PIN_PEN = 
 
 void port_uart_isr(void);
 void port_timer_isr(void);
+void port_wire(const hal_wiring_t *wiring);
+static inline void port_pen_up(void) {}
 void port_plan_isr(void);
 
 extern const uint32_t port_spread[64]; /* pin word to the chip's pins */

@@ -73,6 +73,7 @@ static void put_hex(int32_t number) {
 void hal_fault(const char *what, int32_t a, int32_t b) {
     (void)irq_lock();
     port_write(port_word(PORT_ALL_PINS, 0));
+    port_pen_up();
     put_polled("\r\nfault: ");
     put_polled(what);
     put_hex(a);

@@ -7,6 +7,7 @@
  *     void port_uart_send(uint8_t)
  *     void port_uart_sending(bool)      whether room interrupts
  *     void port_uart_put(uint8_t)       sends a byte without interrupts, after whatever was being sent
+ *     void port_pen_up(void)            for a pen that does not follow its pin without interrupts; its pin is at rest
  */
 #ifndef PORT_CONSOLE_H
 #define PORT_CONSOLE_H

@@ -19,13 +19,14 @@ uint32_t hal_inputs(void) {
     return (port_inputs() ^ s.invert) & ALL_INPUTS;
 }
 
-void hal_invert(uint32_t pins, uint32_t inputs) {
+void hal_wire(const hal_wiring_t *wiring) {
     uint32_t state = irq_lock();
     uint32_t value = port_pins() ^ port.invert;
-    port.invert = PORT_INVERT ^ pins;
+    port.invert = PORT_INVERT ^ wiring->invert_pins;
     port_write(port_word(PORT_ALL_PINS, value));
-    s.invert = ALL_INPUTS ^ inputs;
+    s.invert = ALL_INPUTS ^ wiring->invert_inputs;
     s.seen = hal_inputs(); /* what is closed now has not just closed */
+    port_wire(wiring);
     irq_unlock(state);
 }
 

@@ -5,6 +5,8 @@
  *     uint32_t port_pins(void)      levels of the pins now, in the order of enum hal_pin
  *     PORT_INVERT                   pins that are active low on this board
  *     PORT_ALL_PINS
+ *     void port_wire(const hal_wiring_t *)    the polarity is known and the pins are right: drives all of them from now
+ *                                             on, the pen's in the way that is asked for
  */
 #ifndef PORT_SWITCHES_H
 #define PORT_SWITCHES_H

@@ -89,7 +89,6 @@ static void pins_start(void) {
         GPIO_PAD(i) = PAD_OUT;
         GPIO_CTRL(i) = FUNC_SIO;
     }
-    SIO_OE_SET = PORT_ALL_PINS << FIRST_PIN;
     for (uint32_t i = FIRST_INPUT; i < FIRST_INPUT + 4; i++) {
         GPIO_PAD(i) = PAD_PULLUP;
         GPIO_CTRL(i) = FUNC_SIO;
@@ -133,8 +132,9 @@ void hal_start(void) {
     GPIO_INTE(FIRST_INPUT) = INPUT_EDGES;
     pendsv_priority(1);
     irq_priority(PORT_IRQ_UART, 2);
-    TIMER_INTE = 3;
+    TIMER_INTE = 3 | PEN_ALARM;
     irq_priority(PORT_IRQ_WAKE, 3);
+    irq_priority(PORT_IRQ_PEN, 3);
     irq_enable(PORT_IRQ_WAKE);
     irq_enable(PORT_IRQ_TIMER);
     irq_enable(PORT_IRQ_SWITCHES);

@@ -3,6 +3,8 @@
  * Pins: GP2 step X, GP3 dir X, GP4 step Y, GP5 dir Y, GP6 pen, GP7 motors off (the drivers' /ENABLE); inputs GP10 limit
  * X, GP11 limit Y, GP12 start, GP13 emergency stop; GP0, GP1 console. The pin word is the chip's, shifted by FIRST_PIN.
  *
+ * A servo or solenoid at GP6: PWM slice 3, which follows the pen's bit of the pin word once a millisecond (pen.c).
+ *
  * Clock: PWM slice 7 counts clk_sys / (7 + 13/16) = 16 MHz in 16 bits, TIMER (same crystal) tells which 4 ms.
  * Alarm: TIMER alarm 1, up to a microsecond early. */
 #ifndef PORT_H
@@ -25,11 +27,23 @@
 #define FIRST_INPUT 10 /* four in one register of eight */
 #define CLOCK_SLICE 7
 
-enum { PORT_IRQ_WAKE = 0 /* TIMER alarm 0 */, PORT_IRQ_TIMER = 1, PORT_IRQ_SWITCHES = 13, PORT_IRQ_UART = 20 };
+#define PEN_SLICE 3         /* of GP6, channel A */
+#define PEN_ALARM (1u << 2) /* TIMER alarm 2 */
+
+enum {
+    PORT_IRQ_WAKE = 0 /* TIMER alarm 0 */,
+    PORT_IRQ_TIMER = 1,
+    PORT_IRQ_PEN = 2,
+    PORT_IRQ_SWITCHES = 13,
+    PORT_IRQ_UART = 20
+};
 
 void port_timer_isr(void);
 void port_wake_isr(void);
 void port_switches_isr(void);
+void port_pen_isr(void); /* pen.c, as the next two */
+void port_wire(const hal_wiring_t *wiring);
+void port_pen_up(void);
 
 typedef struct port_state {
     uint16_t phase;  /* of the counter against TIMER */

@@ -18,6 +18,7 @@
 #define TIMER_RAWL REG(0x40054028u)
 #define TIMER_ALARM0 REG(0x40054010u)
 #define TIMER_ALARM1 REG(0x40054014u)
+#define TIMER_ALARM2 REG(0x40054018u)
 #define TIMER_INTR REG(0x40054034u)
 #define TIMER_INTE REG(0x40054038u)
 #define TIMER_INTF_SET REG(0x4005403cu + SET)
@@ -32,6 +33,7 @@
 #define GPIO_EDGES(pin) (0xcu << 4 * ((pin) % 8))
 #define GPIO_PAD(pin) REG(0x4001c004u + 4u * (pin))
 #define FUNC_UART 2u
+#define FUNC_PWM 4u
 #define FUNC_SIO 5u
 #define PAD_OUT 0x56u    /* 4 mA, input enabled */
 #define PAD_PULLUP 0x5au /* input with pull-up, Schmitt trigger */
@@ -44,6 +46,7 @@
 #define PWM_CSR(slice) REG(PWM + 0x14u * (slice))
 #define PWM_DIV(slice) REG(PWM + 0x14u * (slice) + 0x04u)
 #define PWM_CTR(slice) REG(PWM + 0x14u * (slice) + 0x08u)
+#define PWM_CC(slice) REG(PWM + 0x14u * (slice) + 0x0cu) /* channel A in the lower half */
 #define PWM_TOP(slice) REG(PWM + 0x14u * (slice) + 0x10u)
 
 #endif

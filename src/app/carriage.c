@@ -9,7 +9,6 @@
 #define SEEK_MM 1000
 #define SEEK_SPEED_UM_S 25000
 #define TOUCH_SPEED_UM_S 2000
-#define OFF_MM 3
 
 enum carriage_alarm carriage_alarm(const carriage_t *c) {
     return (enum carriage_alarm)__atomic_load_n(&c->alarm, __ATOMIC_ACQUIRE);
@@ -35,7 +34,6 @@ static void wait_us(carriage_t *c, uint32_t us) {
 
 void carriage_init(carriage_t *c, void *mem, size_t bytes, void (*poll)(void *ctx), void *ctx) {
     *c = (carriage_t){.mem = mem, .bytes = bytes, .poll = poll, .ctx = ctx};
-    machine_default(&c->machine);
 }
 
 /* Motion from where the pen is. */
@@ -48,14 +46,23 @@ static int prepare(carriage_t *c, const machine_t *machine) {
     return 0;
 }
 
+/* Which limit switches stop a drawing. */
+static uint32_t limits_of(const machine_t *machine) {
+    return machine->limits == MACHINE_LIMITS_ON ? LIMITS : 0;
+}
+
+uint32_t carriage_closed(const machine_t *machine) {
+    return hal_inputs() & (limits_of(machine) | HAL_IN_ESTOP);
+}
+
 int carriage_begin(carriage_t *c, const machine_t *machine) {
-    if (carriage_alarm(c) || (hal_inputs() & (LIMITS | HAL_IN_ESTOP))) return ERR_MACHINE;
-    c->machine = *machine;
+    if (carriage_alarm(c) || carriage_closed(machine)) return ERR_MACHINE;
+    c->machine = machine;
     c->stopping = false;
     int err = prepare(c, machine);
     if (err) return err;
     c->state = CARRIAGE_RUN;
-    hal_trip(LIMITS);
+    hal_trip(limits_of(machine));
     return 0;
 }
 
@@ -101,7 +108,7 @@ int carriage_end(carriage_t *c, int err, motion_stats_t *stats) {
     if (c->stopping || stepgen_halted()) {
         while (!stepgen_halted()) wait(c); /* brakes */
         finish = motion_park(&c->motion, stats);
-        if (!carriage_alarm(c)) wait_us(c, c->machine.lift_us);
+        if (!carriage_alarm(c)) wait_us(c, c->machine->lift_us);
         if (!finish) finish = ERR_STOPPED;
     }
     hal_trip(0);
@@ -118,18 +125,18 @@ int carriage_change(carriage_t *c) {
     c->changing = true;
     while (c->changing && !c->stopping && !carriage_alarm(c)) wait(c);
     c->changing = false;
-    if (!c->stopping && !carriage_alarm(c)) return prepare(c, &c->machine);
+    if (!c->stopping && !carriage_alarm(c)) return prepare(c, c->machine);
     stepgen_halt(true); /* nothing moves: it need not brake */
     return ERR_STOPPED;
 }
 
 /* One move of homing, until the switch closes if one is sought. Where it began is its own origin. */
-static int leg(carriage_t *c, uint32_t speed_um_s, int axis, int32_t mm, uint8_t seek) {
-    machine_t m = c->machine;
+static int leg(carriage_t *c, uint32_t speed_um_s, int axis, int64_t um, uint8_t seek) {
+    machine_t m = *c->machine;
     if (m.travel_speed_um_s > speed_um_s) m.travel_speed_um_s = speed_um_s;
     m.width_um = m.height_um = 0;
     page_point_t to = {0, 0};
-    *(axis ? &to.y_lat : &to.x_lat) = mm * LAT_PER_MM;
+    *(axis ? &to.y_lat : &to.x_lat) = (int32_t)(um * LAT_PER_MM / 1000);
     c->place = (page_point_t){0, 0};
     if (seek & hal_inputs()) return 0;
     int err = prepare(c, &m);
@@ -147,21 +154,27 @@ static int leg(carriage_t *c, uint32_t speed_um_s, int axis, int32_t mm, uint8_t
 
 static int home_axis(carriage_t *c, int axis) {
     const uint8_t pin = axis ? HAL_IN_LIMIT_Y : HAL_IN_LIMIT_X;
-    const int32_t size_um = axis ? c->machine.height_um : c->machine.width_um;
-    int32_t far = (size_um ? size_um / 1000 : SEEK_MM) * 3 / 2;
-    if (far >= PLANNER_REACH_LAT / LAT_PER_MM) far = PLANNER_REACH_LAT / LAT_PER_MM - 1;
+    const int32_t size_um = axis ? c->machine->height_um : c->machine->width_um;
+    int64_t far = (int64_t)(size_um ? size_um : SEEK_MM * 1000) * 3 / 2;
+    const int64_t reach = (PLANNER_REACH_LAT / LAT_PER_MM - 1) * 1000;
+    if (far > reach) far = reach;
+    int64_t off = c->machine->pull_off_um;
+    if (c->machine->home_far >> axis & 1) {
+        far = -far;
+        off = -off;
+    }
     /* Off the switch if it is closed, then to it fast, off, to it slowly, off. */
     const struct {
         uint32_t speed_um_s;
-        int32_t mm;
         bool seek;
-    } way[] = {{TOUCH_SPEED_UM_S, OFF_MM, false},
-               {SEEK_SPEED_UM_S, -far, true},
-               {TOUCH_SPEED_UM_S, OFF_MM, false},
-               {TOUCH_SPEED_UM_S, -2 * OFF_MM, true},
-               {TOUCH_SPEED_UM_S, OFF_MM, false}};
+        int64_t um;
+    } way[] = {{TOUCH_SPEED_UM_S, false, off},
+               {SEEK_SPEED_UM_S, true, -far},
+               {TOUCH_SPEED_UM_S, false, off},
+               {TOUCH_SPEED_UM_S, true, -2 * off},
+               {TOUCH_SPEED_UM_S, false, off}};
     for (size_t i = hal_inputs() & pin ? 0 : 1; i < sizeof way / sizeof way[0]; i++) {
-        int err = leg(c, way[i].speed_um_s, axis, way[i].mm, way[i].seek ? pin : 0);
+        int err = leg(c, way[i].speed_um_s, axis, way[i].um, way[i].seek ? pin : 0);
         if (err) return err;
         if (!(hal_inputs() & pin) == way[i].seek) return ERR_MACHINE;
     }
@@ -169,14 +182,16 @@ static int home_axis(carriage_t *c, int axis) {
 }
 
 int carriage_home(carriage_t *c, const machine_t *machine) {
-    if (hal_inputs() & HAL_IN_ESTOP) return ERR_MACHINE;
-    c->machine = *machine;
+    if ((hal_inputs() & HAL_IN_ESTOP) || machine->limits == MACHINE_LIMITS_OFF) return ERR_MACHINE;
+    c->machine = machine;
     c->alarm = CARRIAGE_NO_ALARM;
     c->stopping = false;
     c->state = CARRIAGE_HOME;
     int err = home_axis(c, 0);
     if (!err) err = home_axis(c, 1);
     c->place = (page_point_t){0, 0};
+    if (machine->home_far & 1) c->place.x_lat = (int32_t)((int64_t)machine->width_um * LAT_PER_MM / 1000);
+    if (machine->home_far & 2) c->place.y_lat = (int32_t)((int64_t)machine->height_um * LAT_PER_MM / 1000);
     c->state = CARRIAGE_IDLE;
     if (err && !carriage_alarm(c)) c->alarm = c->stopping ? CARRIAGE_BROKEN_OFF : CARRIAGE_NO_SWITCH;
     c->stopping = false;
@@ -241,7 +256,7 @@ void carriage_input_isr(carriage_t *c, uint32_t inputs) {
     } else if (c->state == CARRIAGE_HOME) {
         /* Bouncing while leaving a switch, and the other axis's switch, mean nothing. */
         if (inputs & c->seeking) stepgen_halt(true);
-    } else if (c->state == CARRIAGE_RUN) {
+    } else if (c->state == CARRIAGE_RUN && (inputs & limits_of(c->machine))) {
         stepgen_halt(true);
         __atomic_store_n(&c->alarm, CARRIAGE_LIMIT, __ATOMIC_RELEASE);
     }

@@ -4,8 +4,9 @@
  * off; after a stop it stays where it is, pen up, motors on, and the next drawing starts there. After a limit switch or
  * the emergency stop the place is unknown, and everything but carriage_home and carriage_unlock is refused.
  *
- * Homing: each axis to its limit switch at -x, -y, off it, again slowly, and off again: that is home, the page's
- * origin. The switches are those of the page's axes, whatever the motors.
+ * Homing: each axis to its limit switch, off it, again slowly, and off again: that is the page's origin, or with a
+ * switch at the right or the top (machine_t.home_far) the other end of the machine. The switches are those of the
+ * page's axes, whatever the motors.
  *
  * Context: main loop, but for carriage_input_isr. */
 #ifndef CARRIAGE_H
@@ -32,8 +33,8 @@ enum carriage_alarm {
 
 typedef struct carriage {
     motion_t motion;
-    machine_t machine; /* of the drawing or homing under way, or the last one */
-    void *mem;         /* lent: motion's queue and look-ahead */
+    const machine_t *machine; /* of the drawing or homing under way, or the last one; the caller's */
+    void *mem;                /* lent: motion's queue and look-ahead */
     size_t bytes;
     void (*poll)(void *ctx); /* called while the machine is waited for, before hal_idle() */
     void *ctx;
@@ -49,7 +50,10 @@ typedef struct carriage {
 /* mem: at least MOTION_BYTES_MIN, aligned to 8, the caller's for good. The pen is taken to be at home. */
 void carriage_init(carriage_t *c, void *mem, size_t bytes, void (*poll)(void *ctx), void *ctx);
 
-/* Prepares a drawing. Returns 0, ERR_MACHINE (alarm, a closed switch, or as motion_init) or ERR_FULL. */
+/* Switches that forbid a drawing now: enum hal_input. Limits count as `set machine limits` says. */
+uint32_t carriage_closed(const machine_t *machine);
+/* Prepares a drawing. machine is the caller's until carriage_end. Returns 0, ERR_MACHINE (alarm, a closed switch, or as
+ * motion_init) or ERR_FULL. */
 int carriage_begin(carriage_t *c, const machine_t *machine);
 /* Where its strokes go. Polls; returns ERR_STOPPED after a stop or alarm. */
 pen_sink_t carriage_pen(carriage_t *c);
@@ -64,7 +68,8 @@ int carriage_end(carriage_t *c, int err, motion_stats_t *stats);
  * ERR_STOPPED, or the error of a move. */
 int carriage_change(carriage_t *c);
 
-/* Blocks, polling. Returns 0, ERR_STOPPED or ERR_MACHINE: then carriage_alarm() says why. */
+/* Blocks, polling. Returns 0, ERR_STOPPED or ERR_MACHINE: then carriage_alarm() says why, or nothing moved, as the
+ * emergency stop is closed or the machine has no switches. */
 int carriage_home(carriage_t *c, const machine_t *machine);
 /* The pen was put to home by hand. False while the emergency stop is pressed. */
 bool carriage_unlock(carriage_t *c);

@@ -102,8 +102,15 @@ static void after_command(console_t *c) {
     if (!c->machine_line)
         c->session.settings.machine = c->kept_machine;
     else if (console_keep_settings(c))
-        say("error: the machine's settings could not be kept\n");
+        say("error: the machine's settings could not be kept: they hold until the power goes\n");
     c->machine_line = false;
+}
+
+void console_wire(console_t *c) {
+    const hal_wiring_t *w = &c->session.settings.machine.wiring;
+    if (c->wired && memcmp(w, &c->kept_machine.wiring, sizeof *w) == 0) return;
+    hal_wire(w);
+    c->wired = true;
 }
 
 static void after_line(console_t *c, const char *line, int err) {
@@ -186,10 +193,10 @@ void console_begin(console_t *c, const console_config_t *config) {
     c->own_symbols = c->session.lang.symbols;
     active = &c->carriage;
     hal_watchdog_start(CONSOLE_WATCHDOG_MS);
+    console_load_settings(c); /* before anything is said: until then the pins are not driven */
     say("\nRidgeline " RIDGELINE_VERSION " on ");
     say(hal_board_name());
     say("; help, help board\n");
-    console_load_settings(c);
     if (c->autorun)
         run_saved(c, "autorun\n");
     else

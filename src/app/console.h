@@ -41,6 +41,7 @@ typedef struct console {
     keep_capture_t capture;
     machine_t kept_machine; /* as in the store */
     int32_t own_symbols;    /* of a session with nothing defined */
+    bool wired;             /* the port knows kept_machine's wiring */
     bool machine_line;      /* the line, maybe continued, sets the machine's numbers */
     bool loading;           /* what is being carried out comes from the store */
     bool autorun;

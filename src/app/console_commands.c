@@ -13,7 +13,15 @@
 
 static const char AUTORUN[] = "autorun on\n";
 
+static int refused(const char *why) {
+    say(why);
+    return ERR_MACHINE;
+}
+
 static int home(console_t *c) {
+    if (hal_inputs() & HAL_IN_ESTOP) return refused("The emergency stop is pressed.\n");
+    if (c->session.settings.machine.limits == MACHINE_LIMITS_OFF)
+        return refused("There are no limit switches to home to: set machine limits on, or homing.\n");
     realtime_busy(&c->realtime, true);
     int err = carriage_home(&c->carriage, &c->session.settings.machine);
     realtime_busy(&c->realtime, false);
@@ -23,7 +31,7 @@ static int home(console_t *c) {
 }
 
 static int unlock(console_t *c) {
-    if (!carriage_unlock(&c->carriage)) return ERR_MACHINE;
+    if (!carriage_unlock(&c->carriage)) return refused("The emergency stop is pressed.\n");
     say("unlocked: the pen is taken to be at its origin\n");
     return 0;
 }
@@ -80,7 +88,8 @@ static int save(console_t *c) {
 
 int console_keep_settings(console_t *c) {
     if (c->loading) return 0;
-    c->kept_machine = c->session.settings.machine; /* until the power goes, even if it cannot be kept */
+    console_wire(c); /* until the power goes, even if it cannot be kept */
+    c->kept_machine = c->session.settings.machine;
     size_t room, text;
     store_record_t *r = borrow(c, &room, &text);
     if (text < sizeof AUTORUN) return ERR_FULL;
@@ -112,8 +121,8 @@ void console_load_settings(console_t *c) {
     size_t room, text;
     store_record_t *r = borrow(c, &room, &text);
     int len = store_load(STORE_SETTINGS, r, room);
-    if (len < 0) return;
-    run_text(c, r->text, len);
+    if (len >= 0) run_text(c, r->text, len);
+    console_wire(c);
     c->kept_machine = c->session.settings.machine;
 }
 
@@ -236,11 +245,11 @@ static bool is_line(const char *line, const char *command) {
 bool console_command(console_t *c, const char *line, int *err) {
     for (size_t i = 0; i < sizeof COMMAND / sizeof COMMAND[0]; i++) {
         if (!is_line(line, COMMAND[i].line)) continue;
-        bool refused = COMMAND[i].at_rest && carriage_alarm(&c->carriage);
-        *err = refused ? ERR_MACHINE : COMMAND[i].run(c);
-        if (*err) {
+        bool locked = COMMAND[i].at_rest && carriage_alarm(&c->carriage);
+        *err = locked ? refused("error: locked: home or unlock first\n") : COMMAND[i].run(c);
+        if (*err && *err != ERR_MACHINE) {
             say("error: ");
-            say(refused ? "locked: home or unlock first" : error_text(*err));
+            say(error_text(*err));
             say("\n");
         }
         return true;

@@ -96,7 +96,7 @@ static int draw(console_t *c, const plot_t *plot) {
     int err = find_share(c, plot, memory, &hooks);
     if (err) return err;
     err = carriage_begin(&c->carriage, &plot->settings->machine);
-    if (err == ERR_MACHINE && (hal_inputs() & (HAL_IN_LIMIT_X | HAL_IN_LIMIT_Y | HAL_IN_ESTOP)))
+    if (err == ERR_MACHINE && carriage_closed(&plot->settings->machine))
         say("A limit switch or the emergency stop is closed.\n");
     if (err) return err;
     pen_sink_t pen = carriage_pen(&c->carriage);

@@ -18,6 +18,9 @@ bool console_command(console_t *c, const char *line, int *err);
 int console_load(console_t *c);
 /* Keeps the machine's numbers and autorun if they differ from what is kept. */
 int console_keep_settings(console_t *c);
+/* Those that are kept, if any; tells the port how the machine is wired. */
 void console_load_settings(console_t *c);
+/* console.c: the port is told when the wiring has changed. */
+void console_wire(console_t *c);
 
 #endif

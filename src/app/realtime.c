@@ -63,7 +63,7 @@ static void add_mm(text_t *t, int32_t lat) {
 /* The time still to come: strokes not yet drawn cost what the pen and a short way take, and vertices what they have
  * cost so far, in ticks. Negative: cannot be told. */
 static int64_t ticks_left(const realtime_t *r, int64_t used) {
-    const machine_t *m = &r->carriage->machine;
+    const machine_t *m = r->carriage->machine;
     const picture_progress_t g = picture_progress(r->picture);
     const int64_t lift = (int64_t)(m->lift_us + m->lower_us + SHORT_WAY_US) * (HAL_TICK_HZ / 1000000);
     if (g.vertices_drawn == 0) return -1;

@@ -66,6 +66,12 @@ const char *set_pen_class(int k); /* its name */
 int set_xyplane(session_t *s, lexer_t *lx);
 int set_paper(session_t *s, lexer_t *lx);
 int set_machine(session_t *s, lexer_t *lx);
+/* set_wiring.c: what follows these words of `set machine` */
+int set_machine_pen(session_t *s, lexer_t *lx, machine_t *m);
+int set_machine_limits(session_t *s, lexer_t *lx, machine_t *m);
+int set_machine_home(session_t *s, lexer_t *lx, machine_t *m);
+int set_machine_invert(session_t *s, lexer_t *lx, machine_t *m);
+void show_wiring(const machine_t *m, text_t *t);
 
 /* show.c, help.c */
 int show_command(session_t *s, lexer_t *lx);

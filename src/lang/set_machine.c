@@ -10,13 +10,14 @@
  *     enable S                s from motors on to the first step
  *     pulse US       2        us a step pulse lasts
  *     setup US       1        us DIR stands before a step
- *     invert x|y|xy|none, swap, noswap, corexy, cartesian
+ *     swap, noswap, corexy, cartesian
  *     size W,H|none           mm of reach
+ *     pen, limits, home, pulloff, invert: set_wiring.c
  *
  * The whole command is checked before anything changes. */
 #include "lang/session_parts.h"
 
-enum kind { NUMBER, STEPS, INVERT, SWAP, NOSWAP, COREXY, CARTESIAN, SIZE };
+enum kind { NUMBER, STEPS, INVERT, PEN, LIMITS, HOME, PULL_OFF, SWAP, NOSWAP, COREXY, CARTESIAN, SIZE };
 
 typedef struct option {
     const char *pattern;
@@ -39,7 +40,11 @@ static const option_t options[] = {
     {"en$able", NUMBER, 6, 0, 10000000, FIELD(enable_us), "enable must be between 0 and 10 s"},
     {"pu$lse", NUMBER, 3, 100, 1000000, FIELD(pulse_ns), "pulse must be between 0.1 and 1000 us"},
     {"se$tup", NUMBER, 3, 0, 1000000, FIELD(dir_setup_ns), "setup must be between 0 and 1000 us"},
-    {"inv$ert", INVERT, 0, 0, 0, 0, "x, y, xy or none expected"},
+    {"pull$off", PULL_OFF, 3, 500, 50000, 0, "pulloff must be between 0.5 and 50 mm"},
+    {"pen", PEN, 0, 0, 0, 0, NULL},
+    {"lim$its", LIMITS, 0, 0, 0, 0, NULL},
+    {"home", HOME, 0, 0, 0, 0, NULL},
+    {"inv$ert", INVERT, 0, 0, 0, 0, NULL},
     {"swap", SWAP, 0, 0, 0, 0, NULL},
     {"noswap", NOSWAP, 0, 0, 0, 0, NULL},
     {"core$xy", COREXY, 0, 0, 0, 0, NULL},
@@ -60,15 +65,6 @@ static int steps(session_t *s, lexer_t *lx, machine_t *m, const option_t *o) {
         if (k == 0) m->steps_per_mm_q16[1] = m->steps_per_mm_q16[0];
         if (!lexer_accept(lx, ',')) break;
     }
-    return 0;
-}
-
-static int invert(session_t *s, lexer_t *lx, machine_t *m, const option_t *o) {
-    bool x = lexer_is_name(lx, "x"), y = lexer_is_name(lx, "y"), both = lexer_is_name(lx, "xy");
-    if (!x && !y && !both && !lexer_is_name(lx, "none")) return lexer_unexpected(lx, &s->error, o->limits);
-    lexer_next(lx);
-    m->invert[0] = x || both;
-    m->invert[1] = y || both;
     return 0;
 }
 
@@ -102,7 +98,18 @@ static int apply(session_t *s, lexer_t *lx, machine_t *m, const option_t *o) {
     case STEPS:
         return steps(s, lx, m, o);
     case INVERT:
-        return invert(s, lx, m, o);
+        return set_machine_invert(s, lx, m);
+    case PULL_OFF: {
+        int err = set_scaled(s, lx, o->decimals, o->lo, o->hi, &v, o->limits);
+        if (!err) m->pull_off_um = (uint16_t)v;
+        return err;
+    }
+    case PEN:
+        return set_machine_pen(s, lx, m);
+    case LIMITS:
+        return set_machine_limits(s, lx, m);
+    case HOME:
+        return set_machine_home(s, lx, m);
     case SWAP:
         m->swap_xy = true;
         return 0;
@@ -149,6 +156,8 @@ int set_machine(session_t *s, lexer_t *lx) {
         if (err) return err;
         lexer_accept(lx, ',');
     }
+    if (m.home_far && !m.width_um)
+        return lang_error_set(&s->error, ERR_MACHINE, column, "home right and home top need the machine's size");
     int err = check_rate(s, &m, column);
     if (!err) s->settings.machine = m;
     return err;

@@ -97,8 +97,6 @@ void show_machine(session_t *s, text_t *t) {
     text_add(t, "\nset machine"); /* a line that the smallest board takes back */
     show_value(t, " pulse ", m->pulse_ns, 3);
     show_value(t, " setup ", m->dir_setup_ns, 3);
-    text_add(t, " invert ");
-    text_add(t, m->invert[0] ? (m->invert[1] ? "xy" : "x") : (m->invert[1] ? "y" : "none"));
     text_add(t, m->swap_xy ? " swap" : " noswap");
     text_add(t, m->kinematics == MACHINE_COREXY ? " corexy" : " cartesian");
     if (m->width_um || m->height_um) {
@@ -263,6 +261,9 @@ static bool show_option(session_t *s, uint8_t id) {
         break;
     case SET_MACHINE:
         show_machine(s, &t);
+        s->port->print(s->port->ctx, buf);
+        t = text_start(buf, sizeof buf);
+        show_wiring(&set->machine, &t);
         break;
     case SET_DATAFILE:
         show_datafile(s, &t);

@@ -16,5 +16,7 @@ void machine_default(machine_t *m) {
         .dir_setup_ns = CONFIG_DIR_SETUP_NS,
         .pulse_ns = CONFIG_PULSE_NS,
         .kinematics = MACHINE_CARTESIAN,
+        .pull_off_um = 3000,
+        .wiring = {.up_us = 1000, .down_us = 2000, .pull_ms = 50, .hold_percent = 30},
     };
 }

@@ -1,14 +1,19 @@
 /* machine.h - what a plotter is: the numbers of `set machine`, as the planner and step generator want them.
  *
  * Defaults (machine_default): 80 steps/mm, 100 mm/s drawing and travelling, 1000 mm/s^2, junction deviation 0.01 mm,
- * 0.1 s to lift and 0.1 s to lower the pen, DIR stable 1 us before STEP, pulses 2 us wide, no axis inverted. */
+ * 0.1 s to lift and 0.1 s to lower the pen, DIR stable 1 us before STEP, pulses 2 us wide, no axis inverted; a pen that
+ * is moved by a level; limit switches at the left and the bottom, which stop the machine. */
 #ifndef MACHINE_H
 #define MACHINE_H
 
-#include <stdbool.h>
-#include <stdint.h>
+#include "hal/hal.h"
 
 enum machine_kinematics { MACHINE_CARTESIAN, MACHINE_COREXY };
+enum machine_limits {
+    MACHINE_LIMITS_ON,     /* a limit switch that closes stops the machine */
+    MACHINE_LIMITS_HOMING, /* they are for homing only */
+    MACHINE_LIMITS_OFF,    /* there are none */
+};
 
 typedef struct machine {
     uint32_t steps_per_mm_q16[2]; /* motors A and B (cartesian: X and Y) */
@@ -23,6 +28,10 @@ typedef struct machine {
     bool swap_xy;   /* page x on motor B and page y on motor A */
     enum machine_kinematics kinematics;
     int32_t width_um, height_um; /* reach; 0 = no limit */
+    uint8_t limits;              /* enum machine_limits */
+    uint8_t home_far;            /* 1: x's switch is at the right, 2: y's at the top, and not at the page's origin */
+    uint16_t pull_off_um;        /* homing ends so far off the switches */
+    hal_wiring_t wiring;
 } machine_t;
 
 void machine_default(machine_t *m);

@@ -2,16 +2,18 @@
 # what the pins did and what the console said. Prints cmocka's lines.
 #
 #     scene NAME US [DRAWINGS]    tests/emu/scenes/NAME.stim, or the board's own of that name, in both; every edge within US microseconds of the other's
-#                                 ("any": only their sequence counts, where the pen waits for the chip, whose arithmetic takes no time on the simulator);
-#                                 the run ends after so many drawings (1), or with the scene's own `quit`
+#                                 ("any": only their sequence counts, where the pen waits for the chip, whose arithmetic takes no time on the simulator;
+#                                 "-": the pins are not compared); the run ends after so many drawings (1), or with the scene's own `quit`
 #     again NAME US [DRAWINGS]    the same on the board of the last scene: its power was off and is on again
 #     says TEXT                   ... and the console of the last scene said that (an extended regular expression)
-# A scene is played on a new board, on which nothing has been saved.
+# A scene is played on a new board, on which nothing has been saved. turned="pen enable ..." tells which pins have levels turned
+# round (set machine invert), pen="servo 1000 2000 0" or "solenoid 0.05 30" what is at the pen's pin: then pen.mjs judges that.
 ridgeline=${RIDGELINE:-build/host/ridgeline}
 build=${BUILDDIR:-build}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT INT TERM
 failed=0
+turned= pen=
 
 # What QEMU 7.2 says of every program on these boards, and nothing else, is let pass: it looks for a vector table before one
 # is loaded; a timer of its own has no clock yet; the LM3S6965's flash controller, and so the register that times
@@ -21,10 +23,14 @@ quiet() {
         -e '^Timer with period zero, disabling' -e '^SSYS: write at bad offset 0x140' "$@"
 }
 
+low() { # pin
+    case " $turned " in *" $1 "*) echo :low ;; esac
+}
+
 run_lm3s6965() { # stim, drawings
     gpio=/machine/unattached/device
     wires= i=0
-    for n in x_step x_dir y_step y_dir pen enable; do wires=$wires,pin=$n:${gpio}[9]@$i i=$((i + 1)); done
+    for n in x_step x_dir y_step y_dir pen enable; do wires=$wires,pin=$n:${gpio}[9]@$i$(low $n) i=$((i + 1)); done
     i=0
     for n in limit_x limit_y button estop; do wires=$wires,input=$n:${gpio}[12]@$i:low i=$((i + 1)); done
     # 16 ns an instruction: 62 million a second on a 50 MHz chip. No sleeping: see hal_idle of the port.
@@ -34,7 +40,7 @@ run_lm3s6965() { # stim, drawings
 run_nrf51() { # stim, drawings
     gpio=/machine/nrf51
     wires=
-    for n in x_step@3 x_dir@2 y_step@1 y_dir@18 pen@20 enable@16; do wires=$wires,pin=${n%@*}:$gpio@${n#*@}; done
+    for n in x_step@3 x_dir@2 y_step@1 y_dir@18 pen@20 enable@16; do wires=$wires,pin=${n%@*}:$gpio@${n#*@}$(low ${n%@*}); done
     for n in limit_x@23 limit_y@22 button@17 estop@21; do wires=$wires,input=${n%@*}:$gpio@${n#*@}:low; done
     flash=
     [ -e "$work/keep/emu" ] && flash="-device loader,file=$work/keep/emu,addr=0x3c000,force-raw=on"
@@ -52,7 +58,7 @@ run_qemu() { # machine, 2^n ns an instruction, stim, drawings, wires, other opti
 }
 
 run_rp2040() { # stim, drawings
-    STORE=$work/keep/emu EMU_MODULES=$build/emu timeout 300 node tests/emu/rp2040.mjs "$build/firmware/rp2040.bin" "$1" \
+    TURNED=$turned STORE=$work/keep/emu EMU_MODULES=$build/emu timeout 300 node tests/emu/rp2040.mjs "$build/firmware/rp2040.bin" "$1" \
         "$work/emu.vcd" "$work/emu.txt" "$2" >"$work/emu.err" 2>&1 && [ ! -s "$work/emu.err" ]
 }
 
@@ -81,12 +87,17 @@ again() {
         bad "$1: emulator"
         head -20 "$work/emu.err" "$work/emu.txt"
     else
+        if [ -n "$pen" ] && ! node tests/emu/pen.mjs "$work/sim.vcd" "$work/emu.vcd" $pen; then
+            bad "$1: pen"
+            return
+        fi
         "$ridgeline" trace "$work/sim.vcd" "$work/emu.vcd" >"$work/difference"
         [ "$(grep -c '^[01]' "$work/sim.vcd")$(grep -c '^[01]' "$work/emu.vcd")" = 66 ] && echo 'same sequence, difference 0 us at most' >"$work/difference"
+        [ "$2" = - ] && echo 'same sequence, difference 0 us at most' >"$work/difference"
         us=$(sed -n '1s/^same sequence.* difference \([0-9.]*\) us at most.*/\1/p' "$work/difference")
         said "$work/sim.txt" >"$work/sim.said"
         said "$work/emu.txt" >"$work/emu.said"
-        if [ -z "$us" ] || { [ "$2" != any ] && ! awk "BEGIN { exit !($us <= $2) }"; }; then
+        if [ -z "$us" ] || { [ "$2" != any ] && [ "$2" != - ] && ! awk "BEGIN { exit !($us <= $2) }"; }; then
             bad "$1: pins differ"
             cat "$work/difference" "$work/emu.txt"
         elif ! diff -a "$work/sim.said" "$work/emu.said" >"$work/difference"; then

@@ -19,6 +19,7 @@ const probe = probeFile ? (await import(pathToFileURL(probeFile))).default : nul
 const BIT_NS = 1e9 / 115200;
 const QUIET_NS = 1e6 * Number(process.env.QUIET_MS ?? 20); // after the last drawing
 const PIN = { 2: [0, 0], 3: [1, 0], 4: [2, 0], 5: [3, 0], 6: [4, 0], 7: [5, 1] }; // GPIO: signal, active low
+const TURNED = (process.env.TURNED ?? '').split(' '); // signals whose level is turned round
 const SIGNAL = ['x_step', 'x_dir', 'y_step', 'y_dir', 'pen', 'enable'];
 const INPUT = { limit_x: 10, limit_y: 11, button: 12, estop: 13 };
 
@@ -84,7 +85,7 @@ SIGNAL.forEach((_, i) => buffer.push(`0${String.fromCharCode(33 + i)}\n`));
 buffer.push('$end\n');
 const level = [0, 0, 0, 0, 0, 0];
 for (const gpio of Object.keys(PIN)) {
-  const [signal, low] = PIN[gpio];
+  const [signal, usual] = PIN[gpio], low = usual ^ TURNED.includes(SIGNAL[signal]);
   mcu.gpio[gpio].addListener((state) => {
     if (state !== GPIOPinState.High && state !== GPIOPinState.Low) return; // not driven: the pull resistor's
     const active = (state === GPIOPinState.High ? 1 : 0) ^ low;

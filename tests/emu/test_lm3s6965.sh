@@ -6,4 +6,5 @@ board=lm3s6965
 for s in smooth perspective corexy horizon rand sinc status data cubes halo smooth60; do scene $s 0.8; done
 scene rand60 any
 . tests/emu/behave.sh
+. tests/emu/wiring.sh
 finish

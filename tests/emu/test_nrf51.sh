@@ -9,4 +9,5 @@ says 'The scene does not fit: it may need [0-9]* bytes of memory, N are free. No
 switch_us=100
 . tests/emu/behave.sh
 . tests/emu/power.sh
+. tests/emu/wiring.sh
 finish

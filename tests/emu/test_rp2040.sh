@@ -5,4 +5,5 @@ board=rp2040
 for s in smooth perspective corexy horizon rand sinc status data cubes halo shadow smooth60; do scene $s 0.8; done
 . tests/emu/behave.sh
 . tests/emu/power.sh
+. tests/emu/wiring.sh
 finish

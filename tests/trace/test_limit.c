@@ -14,13 +14,15 @@
 static struct {
     int32_t from[2]; /* steps from the switch at power-on */
     bool present[2], closed[2];
+    bool far; /* they stand at the other end: x counts down towards them */
 } machine;
 
 static void watch(void *ctx, uint64_t tick, uint32_t pins, uint32_t changed) {
     static const uint8_t LIMIT[2] = {HAL_IN_LIMIT_X, HAL_IN_LIMIT_Y};
     fix_record(ctx, tick, pins, changed);
     for (int k = 0; k < 2; k++) {
-        bool closed = machine.present[k] && machine.from[k] + fix.at[k] <= 0;
+        int32_t away = machine.far ? machine.from[k] - fix.at[k] : machine.from[k] + fix.at[k];
+        bool closed = machine.present[k] && away <= 0;
         if (closed != machine.closed[k]) sim_inputs_set(tick + 1, LIMIT[k], closed ? LIMIT[k] : 0);
         machine.closed[k] = closed;
     }
@@ -28,6 +30,7 @@ static void watch(void *ctx, uint64_t tick, uint32_t pins, uint32_t changed) {
 
 static void power_on(int32_t x_steps, int32_t y_steps) {
     fix_power_on(sizeof fix.memory);
+    machine.far = false;
     machine.from[0] = x_steps;
     machine.from[1] = y_steps;
     for (int k = 0; k < 2; k++) {
@@ -147,6 +150,50 @@ static void test_emergency_stop(void **state) {
     assert_true(fix_heard("unlocked"));
 }
 
+/* Switches at the right and the top, pulled off by 1.5 mm: the place is the machine's other corner. */
+static void test_homing_far(void **state) {
+    (void)state;
+    machine.far = true;
+    fix_say("set machine home right,top\r", SECOND);
+    assert_true(fix_heard("home right and home top need the machine's size"));
+    fix_say("set machine size 200,150 home right,top pulloff 1.5\rhome\r", 0);
+    fix_say("?", 10 * MS);
+    assert_true(fix_heard("<Idle|MPos:200.000,150.000|Pen:up>"));
+    for (int k = 0; k < 2; k++) assert_in_range(machine.from[k] - fix.at[k], 119, 121);
+    const int32_t corner[2] = {fix.at[0], fix.at[1]};
+    fix_say(SCENE, 0); /* ends at the page's origin */
+    assert_int_equal(corner[0] - fix.at[0], 200 * 80);
+    assert_int_equal(corner[1] - fix.at[1], 150 * 80);
+}
+
+/* limits homing: they do not stop a drawing; off: there is nothing to home to. */
+static void test_limits_off(void **state) {
+    (void)state;
+    power_on(1 << 20, 1 << 20);
+    fix_say("set machine limits homing\r", SECOND);
+    sim_inputs_set(sim_now() + 3 * SECOND, HAL_IN_LIMIT_X, HAL_IN_LIMIT_X);
+    fix_say(SCENE, 0);
+    assert_false(fix_heard("ALARM"));
+    assert_true(fix.steps[0] > 1000);
+    fix_say("set machine limits off\rhome\r", SECOND);
+    assert_true(fix_heard("There are no limit switches to home to"));
+    fix_say("?", 10 * MS);
+    assert_true(fix_heard("<Idle|"));
+    fix_say("set machine limits on\rreplot\r", SECOND);
+    assert_true(fix_heard("A limit switch or the emergency stop is closed"));
+    /* The other level: the same switch is now open. */
+    uint64_t steps = fix.steps[0];
+    fix_say("set machine invert limits\r", SECOND);
+    sim_inputs_set(sim_now() + 1, HAL_IN_LIMIT_Y, HAL_IN_LIMIT_Y);
+    fix_run(SECOND);
+    fix_say("replot\r", 0);
+    assert_true(fix.steps[0] > steps);
+    sim_inputs_set(sim_now() + 1, HAL_IN_ESTOP, HAL_IN_ESTOP);
+    fix_run(SECOND);
+    fix_say("home\r", SECOND);
+    assert_true(fix_heard("The emergency stop is pressed"));
+}
+
 /* A held machine that hits nothing may be hit itself. */
 static void test_limit_while_held(void **state) {
     (void)state;
@@ -164,7 +211,8 @@ int main(void) {
         cmocka_unit_test_setup(test_homing, on),           cmocka_unit_test_setup(test_homing_on_the_switch, on),
         cmocka_unit_test_setup(test_no_switch, on),        cmocka_unit_test_setup(test_homing_stopped, on),
         cmocka_unit_test_setup(test_hard_limit, on),       cmocka_unit_test_setup(test_emergency_stop, on),
-        cmocka_unit_test_setup(test_limit_while_held, on),
+        cmocka_unit_test_setup(test_limit_while_held, on), cmocka_unit_test_setup(test_homing_far, on),
+        cmocka_unit_test_setup(test_limits_off, on),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -195,13 +195,18 @@ static void test_settings_are_kept(void **state) {
     fix_say("show machine\rreset\rshow machine\rshow samples\r", SECOND);
     const char *first = strstr(fix.said, "set machine steps 100.5,200 speed 50");
     assert_non_null(first);
-    assert_non_null(strstr(first, "invert x noswap corexy size 300,200"));
+    assert_non_null(strstr(first, "setup 1 noswap corexy size 300,200"));
+    assert_non_null(strstr(first, "invert x"));
     assert_non_null(strstr(first + 1, "set machine steps 100.5,200 speed 50")); /* reset is about pictures */
     HEARD("set samples 100,100");
     fix_say("set mach \\\rspeed 40\rset machine travel 30; nonsense\rprint 1\r", SECOND); /* continued; half wrong */
     fix_power_on(sizeof fix.memory);
     fix_say("show machine\r", SECOND);
     HEARD("speed 40 travel 30");
+    fix_say("set machine pen servo 900,1700,.3 limits homing home right pulloff 2 invert y,step,pen,estop\r", SECOND);
+    fix_power_on(sizeof fix.memory);
+    fix_say("show machine\r", SECOND);
+    HEARD("set machine pen servo 900,1700,0.3 limits homing home right,bottom pulloff 2 invert y,step,pen,estop");
 }
 
 static void test_too_large(void **state) {

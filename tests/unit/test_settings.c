@@ -31,14 +31,16 @@ static void check_range(const range_t *r, bool auto_lo, double lo, bool auto_hi,
 /* `show` prints commands: feeding them back to a fresh session must give the same settings and the same text. */
 static void show_can_be_fed_back(void **state) {
     fixture_t *f = *state;
-    assert_int_equal(
-        fixture_feed(f, "set xrange [3:-2.5]; set yrange [*:7]; set zrange [1e-9:2e10]; set samples 7,8\n"
-                        "set isosamples 11; set view from 6,8,3.25 to 0,1,-1; set hidden3d horizon infinite\n"
-                        "set title 'A hill'; set xyplane at -2; set paper 200,150.5 margin 7.25\n"
-                        "set dummy u,v; set datafile separator ';'\n"
-                        "set machine steps 80,100.5 speed 90 travel 150 accel 1500 junction 0.02 lift 0.15\n"
-                        "set machine lower 0.2 pulse 2.5 setup 1.5 enable 0.3 invert xy swap corexy size 300,200"),
-        0);
+    assert_int_equal(fixture_feed(f,
+                                  "set xrange [3:-2.5]; set yrange [*:7]; set zrange [1e-9:2e10]; set samples 7,8\n"
+                                  "set isosamples 11; set view from 6,8,3.25 to 0,1,-1; set hidden3d horizon infinite\n"
+                                  "set title 'A hill'; set xyplane at -2; set paper 200,150.5 margin 7.25\n"
+                                  "set dummy u,v; set datafile separator ';'\n"
+                                  "set machine steps 80,100.5 speed 90 travel 150 accel 1500 junction 0.02 lift 0.15\n"
+                                  "set machine lower 0.2 pulse 2.5 setup 1.5 enable 0.3 swap corexy size 300,200\n"
+                                  "set machine pen solenoid 0.02,35 limits off home left,top pulloff 2.5, invert "
+                                  "xy,enable,limits, enable 0.3"),
+                     0);
     static char shown[8192], feed[8192];
     settings_t before = *settings(f);
     assert_int_equal(fixture_feed(f, "show all"), 0);
@@ -64,6 +66,13 @@ static void show_can_be_fed_back(void **state) {
     assert_int_equal(s->machine.dir_setup_ns, 1500);
     assert_true(s->machine.invert[0] && s->machine.invert[1] && s->machine.swap_xy);
     assert_int_equal(s->machine.kinematics, MACHINE_COREXY);
+    assert_int_equal(s->machine.home_far, 2);
+    assert_int_equal(s->machine.pull_off_um, 2500);
+    assert_int_equal(s->machine.limits, MACHINE_LIMITS_OFF);
+    const hal_wiring_t *w = &s->machine.wiring;
+    assert_true(w->pen == HAL_PEN_SOLENOID && w->pull_ms == 20 && w->hold_percent == 35);
+    assert_int_equal(w->invert_pins, HAL_ENABLE);
+    assert_int_equal(w->invert_inputs, HAL_IN_LIMIT_X | HAL_IN_LIMIT_Y);
     assert_int_equal(fixture_feed(f, "reset; show view; show paper"), 0);
     assert_string_equal(f->out, "set view 60,30,1,1\nset paper 297,210 margin 10\n");
 }

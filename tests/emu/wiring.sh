@@ -1,0 +1,22 @@
+# wiring.sh - levels turned round, in the board's memory from the first moment on where it has one in the emulator; for the tests of the
+# boards, after lib.sh.
+within=${within:-0.8}
+if [ $board = lm3s6965 ]; then
+    turned='x_step y_step pen enable'
+    scene polarity $within 9
+else
+    scene polarity_set -
+    turned='x_step y_step pen enable'
+    again polarity_kept ${switch_us:-$within} 9
+fi
+says 'ALARM: a limit switch closed'
+turned=
+[ $board = rp2040 ] || return 0
+# What is at the pen's pin follows its bit within 1 ms; pen.mjs judges it.
+pen='servo 1000 1600 0'
+scene servo $within
+pen='servo 1900 1200 0.1'
+scene servo_glide $within
+pen='solenoid 0.03 40'
+scene solenoid $within
+pen=
