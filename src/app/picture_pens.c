@@ -13,7 +13,11 @@ uint32_t pens_wanted(const plot_t *plot) {
     wanted |= 1u << s->pen[LINE_SILHOUETTE];
     if (s->shadow && s->shadow_outline && s->hidden == HIDDEN_AREA) wanted |= 1u << s->pen[LINE_SHADOW];
     bool dashed = s->dashed;
-    for (int32_t k = 0; k < plot->n; k++) dashed |= plot->item[k].solid && plot->item[k].mesh.clear;
+    for (int32_t k = 0; k < plot->n; k++) {
+        if (!plot->item[k].solid) continue;
+        if (plot->item[k].mesh.details) wanted |= 1u << s->pen[LINE_DETAIL];
+        dashed |= plot->item[k].mesh.clear;
+    }
     if (dashed) wanted |= 1u << s->pen[LINE_HIDDEN];
     return wanted;
 }

@@ -19,7 +19,7 @@ typedef struct meshes {
     const mesh_t *list[CONFIG_PLOT_ITEMS];
 } meshes_t;
 
-/* The area sort wants flat faces. */
+/* The area sort wants flat faces, and knows details. */
 static bool wants_triangles(const plot_t *plot) {
     return CONFIG_AREA && plot->settings->hidden == HIDDEN_AREA;
 }
@@ -52,7 +52,7 @@ static mesh_t sum_of(const plot_t *plot, const meshes_t *m) {
         sum.nv += m->list[k]->nv;
         sum.faces += m->list[k]->faces;
         sum.corners += m->list[k]->corners;
-        sum.segments += m->list[k]->segments;
+        sum.segments += m->list[k]->segments + m->list[k]->details;
     }
     return sum;
 }
@@ -114,6 +114,7 @@ static int put_together(picture_t *p) {
     p->arena = before;
     p->arena.bytes = all;
     if (!err) arena_take(&p->arena, p->solid.bytes); /* the same place */
+    if (!err && !wants_triangles(p->plot)) solid_free_details(&p->solid);
     return err;
 }
 

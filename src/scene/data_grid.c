@@ -18,6 +18,7 @@ static const char *const TEXT[] = {
     [DATA_TWO_COLUMNS] = "a surface needs one column (z) or three (x y z), not two",
     [DATA_SHORT] = "this line lacks a number that is needed",
     [DATA_TEXT] = "not a number",
+    [DATA_DETAIL] = "a line on a face needs a face before it",
     [DATA_VERTEX] = "there is no vertex of this number before this line",
 };
 

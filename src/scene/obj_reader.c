@@ -120,14 +120,15 @@ static void name_unsupported(obj_reader_t *r) {
 }
 
 static int first_word(obj_reader_t *r) {
-    static const char taken[] = "vflog";
+    static const char taken[] = "vflogd";
     const char *c = r->token_len == 1 ? memchr(taken, r->token[0], sizeof taken - 1) : NULL;
     r->what = c ? *c : '\0';
     if (r->inline_data && r->token_len == 1 && (r->token[0] == 'e' || r->token[0] == 'E')) {
         r->what = 'e';
         return 0;
     }
-    if (r->what == 'f' || r->what == 'l' || r->what == 'o' || r->what == 'g') {
+    if (r->what == 'd' && r->mesh.faces == 0) return refuse(r, DATA_DETAIL);
+    if (r->what && r->what != 'v') {
         r->head = r->mesh.words;
         int err = push(r, 0);
         if (err) return err;
@@ -146,7 +147,7 @@ static int end_word(obj_reader_t *r) {
         err = first_word(r);
     else if (r->what == 'v' && r->words <= 3)
         err = number(r);
-    else if (r->what == 'f' || r->what == 'l')
+    else if (r->what == 'f' || r->what == 'l' || r->what == 'd')
         err = corner(r);
     r->words++;
     r->token_len = 0;
@@ -166,10 +167,10 @@ static int end_element(obj_reader_t *r) {
         set_head(r, MESH_FACE, count);
         m->faces++;
         m->corners += count;
-    } else if (r->what == 'l') {
+    } else if (r->what == 'l' || r->what == 'd') {
         if (count < 2) return refuse(r, DATA_SHORT);
-        set_head(r, MESH_LINE, count);
-        m->segments += count - 1;
+        set_head(r, r->what == 'l' ? MESH_LINE : MESH_DETAIL, count);
+        *(r->what == 'l' ? &m->segments : &m->details) += count - 1;
     }
     return 0;
 }

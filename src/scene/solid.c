@@ -24,7 +24,7 @@ static void *take(lent_t *m, int64_t n, size_t size, bool keep) {
 }
 
 typedef struct totals {
-    int32_t vertices, vertices_most, faces, corners, segments; /* vertices_most: of one mesh */
+    int32_t vertices, vertices_most, faces, corners, segments, details; /* vertices_most: of one mesh */
 } totals_t;
 
 static totals_t total(const mesh_t *const *mesh, int32_t n) {
@@ -35,6 +35,7 @@ static totals_t total(const mesh_t *const *mesh, int32_t n) {
         t.faces += mesh[k]->faces;
         t.corners += mesh[k]->corners;
         t.segments += mesh[k]->segments;
+        t.details += mesh[k]->details;
     }
     return t;
 }
@@ -48,9 +49,9 @@ static uint32_t slots_for(int32_t n) {
 
 size_t solid_bytes(const mesh_t *const *mesh, int32_t n) {
     totals_t t = total(mesh, n);
-    size_t edges = (size_t)t.corners + (size_t)t.segments;
+    size_t edges = (size_t)t.corners + (size_t)t.segments, details = (size_t)t.details;
     size_t slots = slots_for(t.vertices > (int32_t)edges ? t.vertices : (int32_t)edges);
-    return (size_t)t.vertices * sizeof(solid_vertex_t) + edges * sizeof(solid_edge_t) +
+    return (size_t)t.vertices * sizeof(solid_vertex_t) + (edges + 2 * details) * sizeof(solid_edge_t) +
            (size_t)t.faces * (sizeof(solid_face_t) + sizeof(solid_object_t) + 8) + (size_t)t.corners * 12 +
            (size_t)t.vertices_most * 4 + slots * 4 + 16 * 8;
 }
@@ -185,14 +186,42 @@ static void add_line(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w) {
     }
 }
 
+/* Kept until all edges are there. face: -1 if that had no area. */
+static void add_detail(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w, int32_t face) {
+    for (int32_t k = 0; k + 1 < w->count && face >= 0; k++) {
+        int32_t p = vertex_of(b, m, mesh_at(w, k)), q = vertex_of(b, m, mesh_at(w, k + 1));
+        if (p != q) b->detail[b->s->nd++] = (solid_edge_t){{p < q ? p : q, p < q ? q : p}, {face, face}, -1, -1};
+    }
+}
+
+static void place_details(solid_build_t *b) {
+    solid_t *s = b->s;
+    for (int32_t k = 0; k < s->nd; k++) {
+        b->edge[s->ne + k] = b->detail[k];
+        b->edge[s->ne + k].first = s->ne + k;
+    }
+}
+
+void solid_free_details(solid_t *s) {
+    solid_edge_t *edge = (solid_edge_t *)(uintptr_t)s->edge;
+    for (int32_t k = s->ne; k < s->ne + s->nd; k++) edge[k].face[0] = edge[k].face[1] = -1;
+    s->ne += s->nd;
+    s->nd = 0;
+}
+
 static void fill(solid_build_t *b, const mesh_t *const *mesh, int32_t n) {
-    int32_t group = 0;
+    int32_t group = 0, face = -1;
     for (int32_t k = 0; k < n; k++, group++) {
         memset(b->map, 0xff, (size_t)mesh[k]->nv * sizeof *b->map);
         mesh_walk_t w = mesh_walk(mesh[k]);
         while (mesh_next(&w)) {
             if (w.kind == MESH_OBJECT) group++;
-            if (w.kind == MESH_FACE) add_face(b, mesh[k], &w, group);
+            if (w.kind == MESH_FACE) {
+                int32_t before = b->s->nf;
+                add_face(b, mesh[k], &w, group);
+                face = b->s->nf > before ? before : -1;
+            }
+            if (w.kind == MESH_DETAIL) add_detail(b, mesh[k], &w, face);
             if (w.kind == MESH_LINE) add_line(b, mesh[k], &w);
         }
     }
@@ -204,7 +233,7 @@ int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, siz
     int err = choose_scale(s);
     if (err) return err;
     totals_t t = total(mesh, n);
-    int64_t edges = (int64_t)t.corners + t.segments;
+    int64_t edges = (int64_t)t.corners + t.segments + t.details;
     if (edges > INT32_MAX / 4) return ERR_FULL;
     lent_t m = {mem, (uint8_t *)mem + (bytes & ~(size_t)7), mem == NULL};
     solid_build_t b = {.s = s};
@@ -212,6 +241,7 @@ int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, siz
     b.corner = take(&m, t.corners, sizeof *b.corner, true);
     b.face = take(&m, t.faces, sizeof *b.face, true);
     b.object = take(&m, t.faces, sizeof *b.object, false); /* mostly far fewer, and moved behind the edges */
+    b.detail = take(&m, t.details, sizeof *b.detail, false);
     b.map = take(&m, t.vertices_most, sizeof *b.map, false);
     b.corner_face = take(&m, t.corners, sizeof *b.corner_face, false);
     b.corner_next = take(&m, t.corners, sizeof *b.corner_next, false);
@@ -239,8 +269,9 @@ int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, siz
     choose_bits(&b);
     fill(&b, mesh, n);
     solid_join(&b);
-    if (b.full) return ERR_FULL;
-    s->object = memmove(b.edge + s->ne, b.object, (size_t)s->no * sizeof *b.object);
+    if (b.full || s->ne > b.edges_max - s->nd) return ERR_FULL;
+    place_details(&b);
+    s->object = memmove(b.edge + s->ne + s->nd, b.object, (size_t)s->no * sizeof *b.object);
     s->bytes = (size_t)((const uint8_t *)(s->object + s->no) - (uint8_t *)mem);
     return s->ne == 0 ? ERR_EMPTY : 0;
 }

@@ -67,6 +67,8 @@ typedef struct solid {
     int32_t nv, ne, nf, no, nc; /* vertices, edges, faces, objects, corners */
     const solid_vertex_t *vertex;
     const solid_edge_t *edge; /* free segments included */
+    int32_t nd;               /* edge[ne] .. edge[ne + nd - 1] are details: lines on face[0], in its order. They hide
+                                 nothing, and only the area sort knows them */
     const solid_face_t *face;
     const int32_t *corner; /* vertices */
     const solid_object_t *object;
@@ -84,6 +86,8 @@ size_t solid_bytes(const mesh_t *const *mesh, int32_t n);
  * 0.5 us a corner on a desktop. */
 int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, size_t bytes);
 
+/* Makes free segments of the details, for kernels that do not know them: what lies on a face is seen like it. */
+void solid_free_details(solid_t *s);
 /* Is the face translucent? */
 static inline bool solid_is_clear(const solid_t *s, int32_t face) {
     return s->object[s->face[face].object].clear;

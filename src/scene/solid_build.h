@@ -16,6 +16,7 @@ typedef struct solid_build {
     int32_t bits; /* of the fixed point numbers that vertices pass through */
     int64_t origin[3];
     /* Until the end of the work only: */
+    solid_edge_t *detail;
     int32_t *map;         /* vertex of the mesh at hand -> vertex, or -1 */
     int32_t *slot;        /* hash table of vertices, later of edges; -1: free */
     uint32_t slots;       /* a power of two */

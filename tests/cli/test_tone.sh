@@ -181,6 +181,31 @@ glass_is_looked_through() {
     expect_text out 'column'
 }
 
+# A square of 4 x 4 with a line of 6 on it, of which it shows 4, a square of 1 x 1, and a line that is beside it; a smaller
+# sheet in front hides 1 of the line and half of the square.
+details_end_with_their_face() {
+    printf 'v -2 -2 0\nv 2 -2 0\nv 2 2 0\nv -2 2 0\nf 1 2 3 4\nv -3 1 0\nv 3 1 0\nv 0 -1 0\nv 1 -1 0\nv 1 0 0\nv 0 0 0\nv 3 -2 0\nv 3 2 0\n' >cube.obj
+    printf 'd 5 6\nd 7 8 9 10 7\nd 11 12\n' >>cube.obj
+    printf 'v -0.5 -1.5 1\nv 0.5 -1.5 1\nv 0.5 1.5 1\nv -0.5 1.5 1\nf 1 2 3 4\n' >front.obj
+    look='set view 0,0; set hidden3d area; set pen detail 2'
+    first() { # pen, commands, elements
+        printf '%s\nsplot %s\n' "$2" "$3" >ink.gp
+        ridgeline plot ink.gp -o ink.seg 2>ink.err || { cat ink.err; return 1; }
+        awk -v want="$1" 'BEGIN { pen = 1 } /^# pen/ { pen = $3 } /^#/ { next }
+            NF == 4 && (want == 0 || want == pen) { s += sqrt(($3 - $1) ^ 2 + ($4 - $2) ^ 2) } END { printf "%.3f", s }' ink.seg
+    }
+    ratio "$(first 2 "$look" '"cube.obj"')" "$(first 1 "$look" '"cube.obj"')" 8 16
+    ratio "$(first 2 "$look" '"cube.obj", "front.obj"')" "$(first 1 "$look" '"cube.obj", "front.obj"')" 5 24
+    # seen from behind it is there too: both sides of an open face may be; from the side it is not
+    ratio "$(first 2 "$look; set view 180,0" '"cube.obj"')" "$(first 1 "$look; set view 180,0" '"cube.obj"')" 8 16
+    # other kernels take them for lines
+    ratio "$(first 0 "set view 0,0" '"cube.obj"')" "$(first 1 "$look" '"cube.obj"')" 30 16
+    printf 'v 0 0 0\nv 1 0 0\nd 1 2\nf 1 2 1\n' >bad.obj
+    printf 'splot "bad.obj"\n' >bad.gp
+    expect_status 2 ridgeline plot bad.gp -o bad.svg 2>err
+    expect_text err 'line 3' 'a face before it'
+}
+
 settings_are_answered() {
     printf 'show pen\nset pen 3\nshow pen\nset pen hatch 2, shadow 8\nshow pen\nset crease 30.5\nshow crease\nset hidden3d area outline\nshow hidden3d\n' >show.gp
     printf 'unset pen\nunset crease\nset hidden3d area silhouette\nshow pen\nshow crease\nunset hidden3d\nset hidden3d area\nshow hidden3d\nhelp pen\nhelp crease\n' >>show.gp
@@ -197,4 +222,4 @@ settings_are_answered() {
     done
 }
 
-run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own shadows_overlap lamps_cast_shadows_too surfaces_are_shaded surfaces_take_shadows glass_is_looked_through settings_are_answered
+run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own shadows_overlap lamps_cast_shadows_too surfaces_are_shaded surfaces_take_shadows glass_is_looked_through details_end_with_their_face settings_are_answered
