@@ -100,11 +100,18 @@ static int look_from(lit_t *s, const light_t *l, void *place) {
 
 /* ---- from the light's view to the eye's ---- */
 
+#define BORDER_MOST 8
+
 typedef struct mover {
     poly_point_t at[3]; /* corners as the light sees them */
     page_h_t from[3];   /* the same, homogeneous */
     page_h_t to[3];     /* and as the eye does */
     int64_t whole;
+    struct {
+        poly_point_t at;
+        page_h_t from[1], to[1];
+    } border[BORDER_MOST]; /* all corners, if they are not many: n, else 0 */
+    int32_t n;
 } mover_t;
 
 /* The three corners that span the face widest, seen from the light. False if it sees the face edge-on. */
@@ -131,6 +138,12 @@ static bool find_corners(const lit_t *s, int32_t face, mover_t *mv) {
         mv->from[k] = solid_map_vertex(&s->map, corner[at[k]]);
         mv->to[k] = solid_map_vertex(s->m, corner[at[k]]);
     }
+    mv->n = f->n <= BORDER_MOST ? f->n : 0;
+    for (int32_t k = 0; k < mv->n; k++) {
+        mv->border[k].at = area_vertex(&s->lattice, corner[k]);
+        *mv->border[k].from = solid_map_vertex(&s->map, corner[k]);
+        *mv->border[k].to = solid_map_vertex(s->m, corner[k]);
+    }
     return mv->whole != 0;
 }
 
@@ -149,8 +162,43 @@ static int64_t mix(int64_t a, int64_t b, int64_t c, int64_t p, int64_t q, int64_
     return a + share_of(b - a, p, whole) + share_of(c - a, q, whole);
 }
 
+static poly_point_t place(const lit_t *s, int64_t x, int64_t y, int64_t e) {
+    const int64_t one = (int64_t)1 << s->eye_lattice.bits;
+    if (e < 1) e = 1;
+    return (poly_point_t){limited(ints_muldiv_round(x, one, e)), limited(ints_muldiv_round(y, one, e))};
+}
+
+/* A point on the border stays on it, also where a face of a file is flat only nearly: the light sees that it is not. */
+static bool move_on_border(const lit_t *s, const mover_t *mv, poly_point_t p, poly_point_t *to) {
+    for (int32_t k = 0; k < mv->n; k++) {
+        const int32_t m = k + 1 < mv->n ? k + 1 : 0;
+        const poly_point_t a = mv->border[k].at, b = mv->border[m].at;
+        const int64_t dx = (int64_t)b.x - a.x, dy = (int64_t)b.y - a.y, px = (int64_t)p.x - a.x,
+                      py = (int64_t)p.y - a.y;
+        const int64_t wide = dx < 0 ? -dx : dx, high = dy < 0 ? -dy : dy, size = wide > high ? wide : high;
+        const int64_t along = wide > high ? (dx < 0 ? -px : px) : (dy < 0 ? -py : py), off = dx * py - dy * px;
+        if (size == 0 || along < 0 || along > size || off > 2 * size || off < -2 * size) continue;
+        const page_h_t *f = mv->border[k].from, *h = mv->border[k].to, *g = mv->border[m].to;
+        int64_t share = ints_muldiv_round(INK_ONE, along, size);
+        if (s->map.lines.perspective && share > 0 && share < INK_ONE) {
+            /* as in the picture, to in space */
+            const int64_t far = mv->border[m].from->e;
+            share = ints_muldiv_round(INK_ONE, ints_muldiv_round(share, f->e, far),
+                                      ints_muldiv_round(share, f->e, far) + INK_ONE - share);
+        }
+        const int64_t one_e = (int64_t)1 << s->m->lines.frac_bits;
+        const page_h_t at = line_space_mix(h, g, (int32_t)(share > INK_ONE - 1 ? INK_ONE - 1 : share));
+        *to = share == INK_ONE ? place(s, g->x, g->y, s->m->lines.perspective ? g->e : one_e)
+                               : place(s, at.x, at.y, s->m->lines.perspective ? at.e : one_e);
+        return true;
+    }
+    return false;
+}
+
 static poly_point_t move(const lit_t *s, const mover_t *mv, poly_point_t p) {
     const page_h_t *h = mv->to;
+    poly_point_t on_border;
+    if (move_on_border(s, mv, p, &on_border)) return on_border;
     int64_t to_b = poly_orient(mv->at[0], p, mv->at[2]), to_c = poly_orient(mv->at[0], mv->at[1], p);
     int64_t whole = mv->whole, one = (int64_t)1;
     if (s->map.lines.perspective) {
@@ -169,9 +217,7 @@ static poly_point_t move(const lit_t *s, const mover_t *mv, poly_point_t p) {
     int64_t y = mix(h[0].y, h[1].y, h[2].y, to_b, to_c, whole);
     int64_t e = one << s->m->lines.frac_bits;
     if (s->m->lines.perspective) e = mix(h[0].e, h[1].e, h[2].e, to_b, to_c, whole);
-    if (e < 1) e = 1;
-    return (poly_point_t){limited(ints_muldiv_round(x, one << s->eye_lattice.bits, e)),
-                          limited(ints_muldiv_round(y, one << s->eye_lattice.bits, e))};
+    return place(s, x, y, e);
 }
 
 /* ---- lit polygons ---- */

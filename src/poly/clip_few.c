@@ -44,10 +44,14 @@ static int32_t split(clip_seg_t *in, int32_t k, poly_point_t p, int32_t n) {
 int32_t clip_cross_few(clip_t *c, int32_t clip, int32_t n, int32_t most) {
     clip_seg_t *in = c->in;
     int32_t end = n;
+    /* More than one for each pair are rounding's: nearly parallel edges creep towards each other, unit by unit. Sweeps
+     * draw them together. */
+    const int64_t enough = (int64_t)clip * (n - clip) + 16;
     /* Second parts are at the end, of the subject or of the clip polygon: w says which. */
     for (int32_t i = 0; i < end; i = i + 1 == clip ? n : i + 1) {
         if (in[i].w[0] == 0) continue;
         for (int32_t j = clip; j < end; j++) {
+            if (c->stats.crossings > enough) return end;
             if (in[j].l.x > in[i].r.x || in[j].w[1] == 0 || !clip_do_cross(&in[i], &in[j])) continue;
             if (end + 6 > most) return ERR_FULL;
             poly_point_t p = clip_crossing(&in[i], &in[j]);
