@@ -5,7 +5,7 @@ ridgeline=$1
 out=$2
 mkdir -p "$out" || exit 1
 row=1
-for scene in smooth random sinc ridgeline pylon temple shadows; do
+for scene in smooth random sinc ridgeline pylon temple shadows peaks dunes; do
     to=$out/$scene
     "$ridgeline" plot -v "tests/scenes/$scene.gp" -o "$to.svg" -o "$to.png" -o "$to.vcd" -o "$to.seg" \
         --stats "$to.json" >"$to.table" || exit 1
