@@ -11,6 +11,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -60,6 +61,37 @@ static int perimeter_and_horizon(const scene_t *s, run_drawing_t *a, run_drawing
                                                       .line = a->piece[i].line,
                                                       .from_q30 = (int64_t)(a->piece[i].from * 0x1p30),
                                                       .to_q30 = (int64_t)(a->piece[i].to * 0x1p30)});
+    return err;
+}
+
+static void make_any(uint64_t seed, scene_t *s) {
+    scene_random(s, seed, 14, 0);
+}
+
+/* A surface alone, and as the lower of two whose other is undefined but for one cell of it, which lies in the surface.
+ */
+static int one_and_several(const scene_t *s, run_drawing_t *a, run_drawing_t *b) {
+    hidden_stats_t stats;
+    surface_ref_t sheet[2] = {s->ref, s->ref};
+    run_drawing_t d[2] = {{0}};
+    int points = s->ref.nx * s->ref.ny;
+    sheet[1].hole = malloc((size_t)points);
+    if (!sheet[1].hole) abort();
+    memset(sheet[1].hole, 1, (size_t)points);
+    int at = (s->ref.ny - 2) * s->ref.nx + s->ref.nx - 2;
+    const int corner[4] = {at, at + 1, at + s->ref.nx, at + s->ref.nx + 1};
+    for (int i = 0; i < 4; i++) sheet[1].hole[corner[i]] = 0;
+    int err = run_perimeter(s, a, &stats);
+    if (!err) err = run_several(sheet, 2, d, &stats);
+    ink_sink_t sink = run_sink(b); /* either sheet may draw what both have */
+    for (int k = 0; k < 2; k++)
+        for (size_t i = 0; i < d[k].n && !err; i++)
+            err = sink.piece(sink.ctx, &(ink_piece_t){.family = d[k].piece[i].family == REF_ROW ? INK_ROW : INK_COL,
+                                                      .line = d[k].piece[i].line,
+                                                      .from_q30 = (int64_t)(d[k].piece[i].from * 0x1p30),
+                                                      .to_q30 = (int64_t)(d[k].piece[i].to * 0x1p30)});
+    free(sheet[1].hole);
+    for (int k = 0; k < 2; k++) run_drawing_free(&d[k]);
     return err;
 }
 
@@ -145,7 +177,15 @@ static void test_perimeter_and_horizon(void **state) {
         compare("perimeter and horizon", 11000000000, cases_scaled(20000), make_along, perimeter_and_horizon), 0);
 }
 
+static void test_one_and_several(void **state) {
+    (void)state;
+    assert_int_equal(compare("one surface and several", 12000000000, cases_scaled(3000), make_any, one_and_several), 0);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_perimeter_and_horizon)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_perimeter_and_horizon),
+        cmocka_unit_test(test_one_and_several),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
