@@ -37,7 +37,7 @@ static void place(const scene_t *s, uint64_t *rng, double at[3]) {
 
 /* A parallel view of more would be no wider than a step. */
 static double highest(const scene_t *s) {
-    return s->ref.eye.h ? 1e6 : 1e4;
+    return s->ref.eye.h ? 1e6 : 1e3;
 }
 
 /* Heights up to 10^(1..6) times the base, most of them low, as 1/(x*x+y*y) has them; the eye near the foot. */
@@ -271,7 +271,7 @@ static void push(scene_t *s, const family_t *f, uint64_t *rng) {
 
 static void test_families(void **state) {
     (void)state;
-    uint64_t first = FIRST, count = cases_scaled(100) * FAMILIES;
+    uint64_t first = FIRST, count = cases_scaled(300) * FAMILIES;
     int failed = 0;
     cases_t c[FAMILIES];
     for (int f = 0; f < FAMILIES; f++)
