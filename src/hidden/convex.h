@@ -16,7 +16,10 @@
  *
  * Objects are the scene's convex ones (solid.h), and one by one the faces of the others: those that look at the eye of
  * closed ones, both sides of open ones. Faces that are not convex or not flat are cut into triangles, whose own
- * diagonals are no ink. A viewer inside of a closed object sees the inner sides of its faces.
+ * diagonals are no ink: polygons that are not flat are cut as the eye sees them, so that no diagonal is an outline. A
+ * viewer inside of a closed object sees the inner sides of its faces; one in a face, or within SOLID_FLAT of its plane,
+ * sees it edge-on. Objects that penetrate each other hide each other's parts; the line in which they do is none of the
+ * edges, and as in the paper it is not drawn.
  *
  * Signs are exact: planes on the scene's lattice, the eye as solid_map.h has it. Touching is generous by SOLID_FLAT
  * lattice units, 2^-26 of the scene, since vertices of slanting planes are rounded. A crossing is rounded once, to

@@ -8,12 +8,17 @@
 #include "scene/solid_math.h"
 #include <string.h>
 
-/* Which side of a plane through p the eye is on. */
+/* Which side of a plane through p the eye is on. An eye as near to it as its vertices may be off for being rounded is
+ * in it: whatever that face is of, it does not hide half of the world. */
 static int eye_side(const shadows_t *s, const solid_normal_t *n, const solid_vertex_t *p) {
     const solid_eye_t *eye = &s->map->eye;
     wide_t sum = {0, 0};
     for (int k = 0; k < 3; k++) sum = wide_add(sum, wide_mul_s64(n->n[k], eye->e[k] - p->at[k] * eye->w));
-    return wide_sign(sum);
+    const int sign = wide_sign(sum);
+    if (eye->w == 0 || sign == 0) return sign;
+    const uint64_t size = solid_abs(n->n[0]) + solid_abs(n->n[1]) + solid_abs(n->n[2]);
+    const wide_u_t near = wide_mul_u64(size, SOLID_FLAT * (uint64_t)eye->w); /* 2^60 2^24 */
+    return wide_cmp(sign < 0 ? wide_neg(sum) : sum, (wide_t){(int64_t)near.hi, near.lo}) <= 0 ? 0 : sign;
 }
 
 static const solid_vertex_t *corner_of(const shadows_t *s, int32_t f, int32_t k) {
@@ -179,7 +184,8 @@ static shadow_t *add_polygon(shadows_t *s, counts_t *at, const int32_t *corner, 
 typedef struct filling {
     shadows_t *s;
     counts_t at;
-    bool open;
+    bool open; /* the face at hand is seen from both sides */
+    bool away; /* it looks away */
 } filling_t;
 
 static void add_triangle(void *ctx, const int32_t v[3]) {
@@ -196,13 +202,35 @@ static int triangle_side(const shadows_t *s, const int32_t v[3]) {
     return eye_side(s, &n, &vertex[v[0]]);
 }
 
-/* A cell of a surface is not flat. Of its two diagonals the one is taken whose triangles look the same way: then no
- * diagonal, which is no ink, is an outline. */
+/* A quadrilateral that is not flat or not convex. Of its two diagonals the one is taken whose triangles look the same
+ * way: then no diagonal, which is no ink, is an outline. */
 static void add_cell(filling_t *fill, const int32_t c[4]) {
     const int32_t one[2][3] = {{c[0], c[1], c[2]}, {c[0], c[2], c[3]}},
                   other[2][3] = {{c[1], c[2], c[3]}, {c[1], c[3], c[0]}};
     bool good = triangle_side(fill->s, one[0]) == triangle_side(fill->s, one[1]);
     for (int k = 0; k < 2; k++) add_triangle(fill, good ? one[k] : other[k]);
+}
+
+/* How the eye sees it, on the side of the face that it sees. */
+static int turn_seen(void *ctx, int32_t a, int32_t b, int32_t c) {
+    const filling_t *fill = ctx;
+    const int side = triangle_side(fill->s, (const int32_t[3]){a, b, c});
+    return fill->away ? -side : side;
+}
+
+/* The same for polygons: their picture is cut, if it does not cross itself. */
+static int add_bent(filling_t *fill, int32_t f, const solid_normal_t *n, void *spare, size_t bytes) {
+    const solid_t *solid = fill->s->map->solid;
+    const solid_face_t *face = &solid->face[f];
+    fill->open = fill->s->object[face->object] == SOLID_OPEN;
+    fill->away = side_of(fill->s, f) == SHADOW_AWAY;
+    if (face->n == 4) {
+        add_cell(fill, solid->corner + face->corner);
+        return 0;
+    }
+    int err =
+        solid_face_is_flat(solid, f, n) ? 1 : triangulate_seen(solid, f, turn_seen, spare, bytes, add_triangle, fill);
+    return err == 1 ? triangulate(solid, f, n, spare, bytes, add_triangle, fill) : err;
 }
 
 /* Faces one by one, cut into triangles where they must be. spare: what triangulate() needs. */
@@ -214,12 +242,7 @@ static int fill_faces(filling_t *fill, void *spare, size_t bytes) {
         if (is_whole(s, face->object) || !is_part(s, f)) continue;
         solid_normal_t n = solid_face_normal(solid, f);
         if (s->face[f] & SHADOW_BENT) {
-            fill->open = s->object[face->object] == SOLID_OPEN;
-            if (face->n == 4 && fill->open) {
-                add_cell(fill, solid->corner + face->corner);
-                continue;
-            }
-            int err = triangulate(solid, f, &n, spare, bytes, add_triangle, fill);
+            int err = add_bent(fill, f, &n, spare, bytes);
             if (err) return err;
         } else {
             const int32_t *corner = solid->corner + face->corner;
@@ -298,7 +321,7 @@ int shadows_build(shadows_t *s, const solid_map_t *map, void *mem, size_t bytes)
     uint8_t *spare = at; /* used and given back */
     int32_t *part = take(&at, end, solid->no, sizeof *part);
     if (!at) return ERR_FULL;
-    filling_t fill = {s, {0, 0, 0}, false};
+    filling_t fill = {.s = s};
     fill_objects(s, &fill.at, part);
     int err = fill_faces(&fill, spare, (size_t)(end - spare));
     s->n = (int32_t)fill.at.parts;

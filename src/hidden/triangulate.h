@@ -10,4 +10,11 @@
 int triangulate(const solid_t *s, int32_t face, const solid_normal_t *normal, void *mem, size_t bytes,
                 void (*take)(void *ctx, const int32_t v[3]), void *ctx);
 
+/* Does the way from a over b to c turn left, > 0, or right, < 0? */
+typedef int triangle_turn_t(void *ctx, int32_t a, int32_t b, int32_t c);
+/* The same, with left and right as somebody sees them who finds the polygon running counter-clockwise. Returns 1, and
+ * has given nothing, if it crosses itself for him. turn and take have the same ctx. */
+int triangulate_seen(const solid_t *s, int32_t face, triangle_turn_t *turn, void *mem, size_t bytes,
+                     void (*take)(void *ctx, const int32_t v[3]), void *ctx);
+
 #endif

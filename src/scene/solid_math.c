@@ -34,6 +34,15 @@ static bool agrees(const solid_normal_t *a, const solid_normal_t *b) {
     return wide_sign(wide_add(p, wide_mul_s64(a->n[2], b->n[2]))) >= 0;
 }
 
+bool solid_face_is_flat(const solid_t *s, int32_t face, const solid_normal_t *normal) {
+    const solid_face_t *f = &s->face[face];
+    const int32_t *c = s->corner + f->corner;
+    const wide_t slack = solid_slack(normal);
+    for (int32_t k = 1; k < f->n; k++)
+        if (!is_within(solid_dot(normal, solid_sub(&s->vertex[c[k]], &s->vertex[c[0]])), slack)) return false;
+    return true;
+}
+
 bool solid_face_is_convex(const solid_t *s, int32_t face, const solid_normal_t *normal) {
     const solid_face_t *f = &s->face[face];
     const int32_t *c = s->corner + f->corner;

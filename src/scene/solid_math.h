@@ -40,6 +40,8 @@ static inline wide_t solid_slack(const solid_normal_t *n) {
 /* Twice the area of a face as a vector: its normal, outward where it runs outward. All zero for a face without an area,
  * or one so tangled that it has none. */
 solid_normal_t solid_face_normal(const solid_t *s, int32_t face);
+/* Do all corners lie in a plane within SOLID_FLAT? */
+bool solid_face_is_flat(const solid_t *s, int32_t face, const solid_normal_t *normal);
 /* Is the face flat within SOLID_FLAT, and its polygon convex? */
 bool solid_face_is_convex(const solid_t *s, int32_t face, const solid_normal_t *normal);
 

@@ -113,5 +113,19 @@ what_falls_together_is_drawn_once() {
     done
 }
 
+# A prism whose roof goes up and down: however it is cut into triangles, its outline has no gap, so no end of a line is alone.
+an_outline_is_closed() {
+    awk 'BEGIN { for (z = 0; z < 2; z++) for (k = 0; k < 6; k++) { a = k * 1.0471975512; h = z ? 1 + (k % 2 ? .3 : -.3) : 0
+                   printf "v %.9f %.9f %.9f\n", cos(a), sin(a), h }
+                 print "f 6 5 4 3 2 1\nf 7 8 9 10 11 12"; for (k = 0; k < 6; k++) { n = (k + 1) % 6; print "f", k + 1, n + 1, n + 7, k + 7 } }' >a.obj
+    for view in 50,25 50,40 35,10 from' '3,-4,2.5 from' '2,5,4; do
+        printf "set view $view\nsplot 'a.obj'\n" >a.gp
+        ridgeline plot a.gp -o a.seg
+        awk 'BEGIN { n = 0 } NR > 1 { for (k = 1; k < 4; k += 2) { x[n] = $k; y[n++] = $(k + 1) } }
+             END { for (i = 0; i < n; i++) { c = 0; for (j = 0; j < n; j++) c += (x[i] - x[j])^2 + (y[i] - y[j])^2 < .01
+                     if (c < 2) { print "alone: " x[i], y[i]; bad = 1 } } exit bad || n < 20 }' a.seg
+    done
+}
+
 run_tests a_surface_of_facets_is_the_surface formats_are_the_same_body a_binary_stl_is_read what_is_wrong_is_said \
-    rows_as_they_are_typed hidden_parts_are_dashed what_falls_together_is_drawn_once
+    rows_as_they_are_typed hidden_parts_are_dashed what_falls_together_is_drawn_once an_outline_is_closed

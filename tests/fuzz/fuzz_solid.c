@@ -4,7 +4,9 @@
 
 #include "error.h"
 #include "hidden/convex.h"
+#include "hidden/once.h"
 #include "scene/obj_reader.h"
+#include "view/cut.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -26,6 +28,25 @@ static int take(void *ctx, const ink_piece_t *p) {
     d->line = p->line;
     d->last_to = p->to_q30;
     return 0;
+}
+
+static int check(void *ctx, const ink_piece_t *p) {
+    const solid_map_t *m = ctx;
+    if (p->line < 0 || p->line >= m->solid->ne || p->from_q30 < 0 || p->to_q30 > INK_ONE || p->from_q30 >= p->to_q30)
+        abort();
+    return 0;
+}
+
+/* The same, cut to the page, and what coincides once. */
+static void draw_once(solid_map_t *m, void *mem, size_t bytes) {
+    once_t once;
+    hidden_stats_t stats;
+    if (once_build(&once, m, mem, bytes)) return;
+    cut_t cut[2] = {{&m->lines, once_seen(&once, (ink_sink_t){m, check})},
+                    {&m->lines, once_dashed(&once, (ink_sink_t){m, check})}};
+    const ink_sink_t sink = cut_sink(&cut[0]), other = cut_sink(&cut[1]);
+    const hidden_job_t job = {.mem = (char *)mem + once.bytes, .bytes = bytes - once.bytes, .sink = &sink};
+    if (convex_draw(m, &other, &job, &stats) == 0) once_finish(&once);
 }
 
 static void draw(const solid_t *s, const uint8_t *data) {
@@ -50,6 +71,7 @@ static void draw(const solid_t *s, const uint8_t *data) {
         .mem = kernel, .bytes = data[0] & 4 ? (size_t)data[3] * 64 : sizeof kernel, .sink = &sink};
     if (camera_setup(&cam, &set, &box) || solid_map_setup(&map, s, &cam, place)) return;
     convex_draw(&map, &other, &job, &stats);
+    draw_once(&map, kernel, job.bytes);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

@@ -52,7 +52,7 @@ typedef struct solid_stage {
 int solid_stage_make(solid_stage_t *t, const solid_scene_t *s, bool area);
 int solid_stage_draw(solid_stage_t *t, const ink_sink_t *sink);
 /* Draws and judges every so-manieth edge (0: all). *good: within the limits of run_cases.h; out stays 0 where the eye
- * touches a face, as what it sees is then a matter of taste. Returns the kernel's error. */
+ * touches a face before the area sort: what it sees is then a matter of taste. Returns the kernel's error. */
 int solid_stage_judge(solid_stage_t *t, const solid_scene_t *s, int every, judge_report_t *out, bool *good);
 void solid_stage_free(solid_stage_t *t);
 
