@@ -17,7 +17,8 @@
  * 1/12,800 of a step) each time an area is cut, and welds move borders by a few units (area_weld.h).
  *
  * The screen subdivision of their section "Screen subdivision" bounds memory: a window with more polygons than the
- * memory takes is halved, and the halves are done one after the other; pieces of edges meet again afterwards. Memory:
+ * memory takes is halved, and the halves are done one after the other; pieces of edges meet again afterwards. Where
+ * that does not help, since polygons reach across both, depth is divided as well: boxes from front to back. Memory:
  * area_bytes(). Cost: printed by make bench. */
 #ifndef AREA_H
 #define AREA_H
@@ -37,6 +38,7 @@ typedef struct area_stats {
     int64_t visible;       /* visible polygons, pieces of one face counted each */
     bool behind;           /* something is behind the eye */
     int32_t windows;       /* of the screen subdivision */
+    int32_t boxes;         /* of the Z subdivision */
     int32_t depth;         /* of the stack, at most */
 } area_stats_t;
 

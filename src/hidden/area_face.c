@@ -68,15 +68,15 @@ static bool span(const area_lattice_t *l, area_face_t *f, const poly_vertex_t *v
         if (w > wide) wide = w, c = k;
     }
     if (wide == 0 || !area_plane_through(&f->plane, &corner[0].fine, &corner[b].fine, &corner[c].fine)) return false;
-    int64_t z_far = f->z_near = corner[0].fine.z;
+    f->z_far = f->z_near = corner[0].fine.z;
     for (int32_t k = 1; k < f->n; k++) {
         int64_t z = corner[k].fine.z;
         f->z_near = z < f->z_near ? z : f->z_near;
-        z_far = z > z_far ? z : z_far;
+        f->z_far = z > f->z_far ? z : f->z_far;
     }
     f->slope = area_plane_slope(&f->plane);
     f->slack = slack_at(l, f->slope, f->z_near);
-    f->deep = l->m->lines.perspective && z_far / 2 > f->z_near / 3;
+    f->deep = l->m->lines.perspective && f->z_far / 2 > f->z_near / 3;
     return true;
 }
 

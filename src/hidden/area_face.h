@@ -19,7 +19,7 @@ typedef struct area_face {
     int32_t face;     /* of the scene */
     int32_t first, n; /* vertices */
     area_box_t box;
-    int64_t z_near;
+    int64_t z_near, z_far;
     area_plane_t plane;
     int64_t slope, slack; /* area_plane_slope(); area_slack() at z_near */
     bool deep;            /* its slack differs much from place to place */

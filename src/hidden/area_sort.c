@@ -1,32 +1,8 @@
-/* area_sort.c - see area.h: the sort itself, window by window. */
-#include "hidden/area.h"
-#include "hidden/area_pool.h"
+/* area_sort.c - see area.h: the sort itself, in one window. */
+#include "hidden/area_sort.h"
 #include "hidden/area_weld.h"
-#include "hidden/area_wires.h"
 
-#include "error.h"
 #include "num/ints.h"
-
-/* Of what the faces leave of the memory: to the clipper, and for each face so many pieces. */
-#define CLIP_SHARE 3
-#define PIECES_PER_FACE 3
-
-typedef struct area {
-    area_faces_t faces;
-    area_pool_t pool;
-    void *clip_mem;
-    size_t clip_bytes;
-    clip_t clip;
-    struct {
-        area_list_t outside;
-        int32_t face;
-    } * stack;
-    int32_t depth;
-    bool sink_failed;
-    uint8_t *state; /* of each face of the scene, enum area_state */
-    const area_sink_t *sink;
-    area_stats_t *stats;
-} area_t;
 
 /* ---- which of two is in front ---- */
 
@@ -60,8 +36,7 @@ static int compare(area_t *a, const poly_t *p, int32_t of, int32_t than) {
     return front > behind ? IN_FRONT : BEHIND;
 }
 
-/* The part of a box where a plane is above 0: at most 6 vertices. */
-static int32_t half_of(const area_box_t *box, const area_plane_t *plane, poly_vertex_t v[8]) {
+int32_t area_half_of(const area_box_t *box, const area_plane_t *plane, poly_vertex_t v[8]) {
     const poly_point_t corner[4] = {{box->x0, box->y0}, {box->x1, box->y0}, {box->x1, box->y1}, {box->x0, box->y1}};
     int64_t at[4];
     int32_t n = 0;
@@ -85,7 +60,7 @@ static int cut_through(area_t *a, int32_t piece, int32_t by, area_list_t *in) {
     int32_t face = a->pool.piece[piece].face;
     const area_plane_t apart = area_plane_minus(&a->faces.face[by].plane, &a->faces.face[face].plane);
     poly_vertex_t v[8];
-    const int32_t end = half_of(&a->pool.piece[piece].box, &apart, v);
+    const int32_t end = area_half_of(&a->pool.piece[piece].box, &apart, v);
     const clip_job_t job = {area_pool_poly(&a->pool, piece), {v, &end, 1}, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_NOTHING}};
     area_list_t parts;
     a->stats->intersections++;
@@ -179,6 +154,19 @@ static int clip_list(area_t *a, area_list_t list, int32_t by, area_list_t *in, a
     return 0;
 }
 
+/* Takes a visible polygon out of what is open. */
+static int cover(area_t *a, const poly_t *p) {
+    const clip_job_t job = {*a->open, *p, CLIP_EVEN_ODD, {CLIP_OUTSIDE, CLIP_NOTHING}};
+    int err = clip_run(&a->clip, &job, a->clip_mem, a->clip_bytes);
+    if (err) return err;
+    a->which = !a->which;
+    clip_out_t *to = &a->store[a->which];
+    to->n = to->contours = 0;
+    err = clip_trace(&a->clip, 0, to);
+    *a->open = (poly_t){to->v, to->end, to->contours};
+    return err;
+}
+
 static int show(area_t *a, area_list_t list) {
     for (int32_t k = list.first, next; k != AREA_NONE; k = next) {
         next = a->pool.piece[k].next;
@@ -189,6 +177,8 @@ static int show(area_t *a, area_list_t list) {
             a->sink_failed = true;
             return err;
         }
+        err = a->open ? cover(a, &p) : 0;
+        if (err) return err;
         area_pool_drop(&a->pool, k);
     }
     return 0;
@@ -201,7 +191,7 @@ static int32_t next_clip(const area_t *a, area_list_t list) {
     return AREA_NONE;
 }
 
-static int sort_list(area_t *a, area_list_t list) {
+int area_sort_list(area_t *a, area_list_t list) {
     a->depth = 0;
     for (;;) {
         int32_t by = next_clip(a, list);
@@ -223,184 +213,4 @@ static int sort_list(area_t *a, area_list_t list) {
         list = a->stack[--a->depth].outside;
         a->faces.face[a->stack[a->depth].face].on_stack = false;
     }
-}
-
-/* ---- windows ---- */
-
-/* All pieces of faces in a window; those that it cuts are cut. */
-static int fill(area_t *a, const area_box_t *w, area_list_t *list) {
-    const poly_vertex_t corner[4] = {
-        {{w->x0, w->y0}, POLY_CUT}, {{w->x1, w->y0}, POLY_CUT}, {{w->x1, w->y1}, POLY_CUT}, {{w->x0, w->y1}, POLY_CUT}};
-    const int32_t end = 4;
-    *list = (area_list_t){AREA_NONE, AREA_NONE};
-    for (int32_t k = 0; k < a->faces.n; k++) {
-        area_face_t *f = &a->faces.face[k];
-        f->on_stack = false;
-        if (!area_boxes_meet(&f->box, w)) continue;
-        int err = 0;
-        int32_t piece = AREA_NONE;
-        if (f->box.x0 >= w->x0 && f->box.y0 >= w->y0 && f->box.x1 <= w->x1 && f->box.y1 <= w->y1) {
-            piece = area_pool_whole(&a->pool, k);
-            if (piece == AREA_NONE) return ERR_FULL;
-        } else {
-            const clip_job_t job = {
-                {a->faces.vertex + f->first, &f->n, 1}, {corner, &end, 1}, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_NOTHING}};
-            err = clip_run(&a->clip, &job, a->clip_mem, a->clip_bytes);
-            if (!err) piece = area_pool_clipped(&a->pool, k, &a->clip, 0, &err);
-            if (err) return err;
-        }
-        if (piece != AREA_NONE) area_list_add(&a->pool, list, piece);
-    }
-    return 0;
-}
-
-static int32_t count_in(const area_t *a, const area_box_t *w) {
-    int32_t n = 0;
-    for (int32_t k = 0; k < a->faces.n; k++) n += area_boxes_meet(&a->faces.face[k].box, w);
-    return n;
-}
-
-/* More polygons than this in a window, and its halves take less work together: lateral sorting grows with the square.
- */
-#define WINDOW_FACES 400
-#define WINDOWS_DEEP 24
-
-typedef struct area_progress {
-    void (*tick)(void *ctx, int32_t done, int32_t of);
-    void *ctx;
-} area_progress_t;
-
-typedef struct area_window {
-    area_box_t box;
-    int32_t level;
-} area_window_t;
-
-/* Halves a window across its longer side. False if it is as small as windows get. */
-static bool halve(const area_window_t *w, int bits, area_window_t half[2]) {
-    bool wide = w->box.x1 - w->box.x0 >= w->box.y1 - w->box.y0;
-    int32_t from = wide ? w->box.x0 : w->box.y0, size = (wide ? w->box.x1 : w->box.y1) - from;
-    if (w->level == WINDOWS_DEEP || size >> bits < LAT_PER_MM / 2) return false;
-    half[0] = half[1] = (area_window_t){w->box, w->level + 1};
-    *(wide ? &half[0].box.x1 : &half[0].box.y1) = from + size / 2;
-    *(wide ? &half[1].box.x0 : &half[1].box.y0) = from + size / 2;
-    return true;
-}
-
-static int sort_window(area_t *a, const area_box_t *box) {
-    area_list_t list;
-    area_pool_init(&a->pool, &a->faces, a->pool.piece, a->pool.pieces_max, a->pool.word, a->pool.words_max);
-    a->stats->windows++;
-    int err = fill(a, box, &list);
-    return err ? err : sort_list(a, list);
-}
-
-static int sort_windows(area_t *a, area_box_t all, const area_progress_t *progress) {
-    area_window_t todo[WINDOWS_DEEP + 2] = {{all, 0}};
-    int32_t n = 1, done = 0, most = a->sink->window_faces ? a->sink->window_faces : WINDOW_FACES;
-    while (n > 0) {
-        area_window_t w = todo[--n], half[2];
-        int32_t faces = count_in(a, &w.box);
-        bool many = faces > most || faces > a->pool.pieces_max / PIECES_PER_FACE;
-        if (!many || !halve(&w, a->faces.lattice.bits, half)) {
-            int err = faces ? sort_window(a, &w.box) : 0;
-            many = err == ERR_FULL && !a->sink_failed && halve(&w, a->faces.lattice.bits, half);
-            if (err && !many) return err;
-        }
-        if (many) { /* the half at the lower end is done first */
-            todo[n++] = half[1];
-            todo[n++] = half[0];
-            continue;
-        }
-        done += 1 << (WINDOWS_DEEP - w.level);
-        if (progress->tick) progress->tick(progress->ctx, done, 1 << WINDOWS_DEEP);
-    }
-    return 0;
-}
-
-/* ---- memory ---- */
-
-typedef struct bump {
-    uint8_t *at;
-    size_t left;
-} bump_t;
-
-static void *take(bump_t *b, size_t bytes) {
-    bytes = (bytes + 7) & ~(size_t)7;
-    if (bytes > b->left) return NULL;
-    void *p = b->at;
-    b->at += bytes;
-    b->left -= bytes;
-    return p;
-}
-
-static int32_t most_corners(const solid_t *s) {
-    int32_t most = 0;
-    for (int32_t k = 0; k < s->nf; k++) most = s->face[k].n > most ? s->face[k].n : most;
-    return most;
-}
-
-/* The faces first, then what they leave to pieces, clipper and pool. */
-static int lay_out(area_t *a, const solid_map_t *m, void *mem, size_t bytes) {
-    const solid_t *s = m->solid;
-    bump_t b = {mem, bytes};
-    size_t most = (size_t)area_faces_most(m) + 1;
-    a->faces.face = take(&b, most * sizeof(area_face_t));
-    a->stack = take(&b, most * sizeof *a->stack);
-    a->state = take(&b, (size_t)s->nf);
-    if (!a->faces.face || !a->stack || !a->state) return ERR_FULL;
-    bump_t before = b;
-    a->faces.lattice = area_lattice(m);
-    bool clips = a->faces.lattice.clips;
-    int32_t corners = most_corners(s);
-    a->faces.vertex = take(&b, ((size_t)s->nc + (clips ? (size_t)s->nc + 8 * most : 0)) * sizeof(poly_vertex_t));
-    int32_t *corner_edge = take(&b, (size_t)s->nc * sizeof(int32_t));
-    area_corner_t *scratch = take(&b, AREA_SCRATCH(clips, corners));
-    if (!a->faces.vertex || !corner_edge || !scratch) return ERR_FULL;
-    int err = area_faces_make(&a->faces, corner_edge, a->state, scratch, corners);
-    if (err) return err;
-    a->stats->polygons = a->faces.n;
-    b = before;
-    take(&b, (size_t)a->faces.vertices * sizeof(poly_vertex_t));
-    int32_t pieces = a->faces.n * PIECES_PER_FACE + 64;
-    if ((size_t)pieces > b.left / 4 / sizeof(area_piece_t)) pieces = (int32_t)(b.left / 4 / sizeof(area_piece_t));
-    area_piece_t *piece = take(&b, (size_t)pieces * sizeof *piece);
-    a->clip_bytes = b.left / CLIP_SHARE;
-    a->clip_mem = take(&b, a->clip_bytes);
-    size_t words = b.left / sizeof(int32_t);
-    if (!piece || !a->clip_mem || words < 64) return ERR_FULL;
-    area_pool_init(&a->pool, &a->faces, piece, pieces, (int32_t *)(void *)b.at,
-                   words > INT32_MAX / 2 ? INT32_MAX / 2 : (int32_t)words);
-    return 0;
-}
-
-size_t area_bytes(int32_t faces, int32_t corners) {
-    size_t each = sizeof(area_face_t) + 16 + PIECES_PER_FACE * sizeof(area_piece_t);
-    return (size_t)faces * each + (size_t)corners * (sizeof(poly_vertex_t) * 4 + 4) + 3 * CLIP_BYTES(400);
-}
-
-int area_sort(const solid_map_t *m, void *mem, size_t bytes, const area_sink_t *sink,
-              void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx, area_stats_t *stats) {
-    area_t a = {.sink = sink, .stats = stats};
-    *stats = (area_stats_t){.behind = m->any_behind};
-    int err = lay_out(&a, m, mem, bytes);
-    if (err) return err;
-    if (a.faces.n == 0) return area_wires(&a.faces, a.state, a.clip_mem, a.clip_bytes, sink);
-    area_box_t all = a.faces.face[0].box;
-    for (int32_t k = 1; k < a.faces.n; k++) {
-        const area_box_t *b = &a.faces.face[k].box;
-        all.x0 = b->x0 < all.x0 ? b->x0 : all.x0;
-        all.y0 = b->y0 < all.y0 ? b->y0 : all.y0;
-        all.x1 = b->x1 > all.x1 ? b->x1 : all.x1;
-        all.y1 = b->y1 > all.y1 ? b->y1 : all.y1;
-    }
-    /* What is off the paper need not be sorted. */
-    const page_window_t *page = m->lines.window;
-    int32_t unit = 1 << a.faces.lattice.bits;
-    if (all.x0 < page->x0_lat * unit) all.x0 = page->x0_lat * unit;
-    if (all.y0 < page->y0_lat * unit) all.y0 = page->y0_lat * unit;
-    if (all.x1 > page->x1_lat * unit) all.x1 = page->x1_lat * unit;
-    if (all.y1 > page->y1_lat * unit) all.y1 = page->y1_lat * unit;
-    const area_progress_t progress = {tick, tick_ctx};
-    if (all.x0 < all.x1 && all.y0 < all.y1) err = sort_windows(&a, all, &progress);
-    return err ? err : area_wires(&a.faces, a.state, a.clip_mem, a.clip_bytes, sink);
 }

@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 
+#include "error.h"
 #include "tests/oracle/num_of.h"
 #include "tests/oracle/run_cases.h"
 #include "tests/oracle/solid_scenes.h"
@@ -169,6 +170,44 @@ static void cuts_are_reported(void **state) {
     assert_true(judge_around("a cut", &s, false) > 150);
 }
 
+/* Polygons as large as the picture, one behind the other: to halve windows helps nothing. */
+static void depth_is_divided_where_memory_is_short(void **state) {
+    (void)state;
+    int64_t boxes = 0;
+    for (size_t kilobytes = 20; kilobytes <= 80; kilobytes += 6)
+        for (int flat = 0; flat < 2; flat++) {
+            solid_scene_t s = {0};
+            uint64_t rng = 7;
+            for (int k = 0; k < 60; k++) {
+                double t = 0.00628 * scene_below(&rng, 1000), w = 2.5 + 0.001 * scene_below(&rng, 1000), q[4][3];
+                for (int i = 0; i < 4; i++) {
+                    double x = i == 1 || i == 2 ? w : -w, y = i > 1 ? 3 : -3;
+                    q[i][0] = x * cos(t) - y * sin(t) + 0.05 * k;
+                    q[i][1] = x * sin(t) + y * cos(t);
+                    q[i][2] = flat ? 0.02 * (k / 2) : 0.01 * k + 0.1 * q[i][0];
+                }
+                polygon(&s.ref, (const double(*)[3])q, 4);
+            }
+            solid_ref_finish(&s.ref);
+            settings_default(&s.set);
+            s.set.view.rot_x = num_from_i64(flat ? 0 : 20);
+            solid_stage_t t;
+            judge_report_t r;
+            bool good = false;
+            assert_int_equal(solid_stage_make(&t, &s, true), 0);
+            t.bytes = kilobytes << 10;
+            int err = solid_stage_judge(&t, &s, 0, &r, &good);
+            print_message(
+                "# area sort, 60 polygons as large as the picture, %zu bytes: %d windows, %d boxes of depth%s\n",
+                t.bytes, t.sorted.windows, t.sorted.boxes, err ? ", full" : "");
+            assert_true(err == 0 ? good : err == ERR_FULL);
+            boxes += err ? 0 : t.sorted.boxes;
+            solid_stage_free(&t);
+            solid_scene_free(&s);
+        }
+    assert_true(boxes > 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_overlap_cyclically),
@@ -178,6 +217,7 @@ int main(void) {
         cmocka_unit_test(flush_walls_leave_no_cracks),
         cmocka_unit_test(needles_reach_behind_the_eye),
         cmocka_unit_test(cuts_are_reported),
+        cmocka_unit_test(depth_is_divided_where_memory_is_short),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
