@@ -94,6 +94,9 @@ $(BUILDDIR)/tests/%: $(BUILDDIR)/obj/tests/%.o $(BUILDDIR)/liboracle.a $(BUILDDI
 	$(call say,LD,$@)
 	$(Q)$(CC) $(LDFLAGS) $^ $(BUILDDIR)/libcore.a $(HOST_LIBS) $(TEST_LIBS) -o $@
 
+# The driver of the boards' console, on a port made for the test.
+$(BUILDDIR)/obj/tests/unit/test_uart.o: CPPFLAGS += -Itests/unit/fake_port
+
 # One test program by hand: make run-unit/test_num
 .PHONY: $(TESTS_SRC:tests/%.c=run-%)
 $(TESTS_SRC:tests/%.c=run-%): run-%: $(BUILDDIR)/tests/%
