@@ -20,6 +20,10 @@ void start_reset(void) {
     for (;;) continue;
 }
 
+bool hal_stack_ok(void) {
+    return _stack_bottom[0] == PAINT;
+}
+
 uint32_t hal_stack_used(uint32_t *room) {
     const uint32_t *at = _stack_bottom;
     while (at < _stack_top && *at == PAINT) at++;

@@ -115,6 +115,8 @@ void hal_watchdog_feed(void);
 
 /* Bytes of the stack that were ever in use, of *room; both 0 where that is not known. */
 uint32_t hal_stack_used(uint32_t *room);
+/* Is the word below the stack still what it was at the start? If not, the stack has grown into other data. */
+bool hal_stack_ok(void);
 
 /* Upward, both in interrupt context and the only functions a port calls. stepgen_isr: the armed deadline. The body
  * lives in src/motion. console_input_isr may interrupt it, but it not that. */

@@ -175,6 +175,10 @@ uint32_t hal_stack_used(uint32_t *room) {
     return *room = 0;
 }
 
+bool hal_stack_ok(void) {
+    return true;
+}
+
 const char *hal_board_name(void) {
     return "sim";
 }

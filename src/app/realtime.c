@@ -154,6 +154,7 @@ static void tell_alarm(realtime_t *r) {
 }
 
 void realtime_poll(realtime_t *r) {
+    if (!hal_stack_ok()) hal_fault("the stack has run over", 0, 0);
     hal_watchdog_feed();
     for (int c; (c = hal_console_read()) >= 0;) {
         uint8_t byte = (uint8_t)c;

@@ -41,7 +41,8 @@ typedef struct realtime {
 #define REALTIME_STATUS_MAX 96
 
 void realtime_init(realtime_t *r, carriage_t *carriage);
-/* Takes what has come and answers; tells of an alarm; feeds the watchdog. To be called at least every few ms. */
+/* Takes what has come and answers; tells of an alarm; feeds the watchdog; a fault if the stack
+ * has run over. To be called at least every few ms. */
 void realtime_poll(realtime_t *r);
 /* The next byte typed, or -1. */
 int realtime_read(realtime_t *r);

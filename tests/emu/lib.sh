@@ -5,6 +5,7 @@
 #                                 ("any": only their sequence counts, where the pen waits for the chip, whose arithmetic takes no time on the simulator;
 #                                 "-": the pins are not compared); the run ends after so many drawings (1), or with the scene's own `quit`
 #     again NAME US [DRAWINGS]    the same on the board of the last scene: its power was off and is on again
+#     alone NAME                  a scene on the board without the simulator, in which its memory is poked; rests LEAST MOST: what its pins did
 #     says TEXT                   ... and the console of the last scene said that (an extended regular expression)
 # A scene is played on a new board, on which nothing has been saved. turned="pen enable ..." tells which pins have levels turned
 # round (set machine invert), pen="servo 1000 2000 0" or "solenoid 0.05 30" what is at the pen's pin: then pen.mjs judges that.
@@ -73,6 +74,44 @@ said() {
 scene() { # name, most us that an edge may differ, drawings
     rm -rf "$work/keep"
     again "$@"
+}
+
+# The board by itself: addresses are put for the @names of its program.
+alone() { # name
+    name=$1
+    stim=$work/alone.stim
+    cp "tests/emu/scenes/$1.stim" "$stim"
+    for n in $(grep -o '@[a-z_]*' "$stim" | sort -u); do
+        address=$(arm-none-eabi-nm "$build/firmware/$board.elf" | awk -v n="${n#@}" '$3 == n { print $1; exit }')
+        sed -i "s/$n/0x$address/" "$stim"
+    done
+    rm -rf "$work/keep" "$work"/emu.*
+    mkdir -p "$work/keep"
+    if "run_$board" "$stim" 99; then
+        said "$work/emu.txt" >"$work/emu.said"
+        echo "[       OK ] $board $1"
+    else
+        bad "$1: emulator"
+        head -20 "$work/emu.err" "$work/emu.txt"
+    fi
+}
+
+# The scene that was played alone lowered the pen, and left motors off, pen up and steps low: so many seconds after the first edge,
+# least and most.
+rests() {
+    if awk -v least="$1" -v most="$2" '/^\$timescale/ { unit = $3 == "ps" ? 1e-12 : 1e-9 }
+        /^#/ { t = substr($0, 2) * unit }
+        begun && /^[01]./ { id = substr($0, 2); v = substr($0, 1, 1) + 0
+            if (v != level[id]) { if (!n++) first = t; last = t; down += id == "%" && v }
+            level[id] = v }
+        /^\$end$/ { begun = 1 }
+        END { s = last - first; printf "# the pins are at rest %.3f s after the first edge\n", s
+            exit !(down && s >= least && s <= most && !level["!"] && !level["#"] && !level["%"] && !level["&"]) }' "$work/emu.vcd"; then
+        echo "[       OK ] $board $name: motors off, pen up"
+    else
+        bad "$name: not at rest"
+        tail -5 "$work/emu.vcd"
+    fi
 }
 
 again() {

@@ -87,8 +87,8 @@ const level = [0, 0, 0, 0, 0, 0];
 for (const gpio of Object.keys(PIN)) {
   const [signal, usual] = PIN[gpio], low = usual ^ TURNED.includes(SIGNAL[signal]);
   mcu.gpio[gpio].addListener((state) => {
-    if (state !== GPIOPinState.High && state !== GPIOPinState.Low) return; // not driven: the pull resistor's
-    const active = (state === GPIOPinState.High ? 1 : 0) ^ low;
+    const driven = state === GPIOPinState.High || state === GPIOPinState.Low; // else the resistor's: at rest
+    const active = driven ? (state === GPIOPinState.High ? 1 : 0) ^ low : 0;
     if (active === level[signal]) return;
     level[signal] = active;
     moved = Math.max(moved, clock.nanos);
@@ -129,11 +129,20 @@ function play(relative) {
     else if (s.verb === 'input') {
       const [name, value] = s.rest.split(' ');
       at(ns, () => setInput(INPUT[name], value !== '1'));
-    } else if (s.verb === 'quit') at(ns, () => (done = true));
+    } else if (s.verb === 'poke') at(ns, () => poke(...s.rest.split(' ').map(Number)));
+    else if (s.verb === 'heal') at(ns, () => poked.forEach(([address, value]) => write16(address, value)));
+    else if (s.verb === 'quit') at(ns, () => (done = true));
     else complain('stim', s.verb);
   }
 }
 for (const pin of Object.values(INPUT)) setInput(pin, true);
+const poked = [];
+const write16 = (address, value) =>
+  address >= 0x20000000 ? mcu.writeUint16(address, value) : new DataView(mcu.flash.buffer).setUint16(address & 0xffffff, value, true);
+function poke(address, value) {
+  poked.push([address, mcu.readUint16(address)]);
+  write16(address, value);
+}
 
 // ---- power on: what the boot ROM does
 mcu.flash.fill(0xff);
@@ -147,16 +156,39 @@ for (let i = 0; i < 252; i++) {
   for (let k = 0; k < 8; k++) crc = crc & 0x80000000 ? (crc << 1) ^ 0x04c11db7 : crc << 1;
 }
 if (crc >>> 0 !== new DataView(boot.buffer).getUint32(252, true)) complain('boot2', 'checksum');
-mcu.sram.set(boot, 0x41f00);
-core.SP = 0x20041f00;
-core.PC = 0x20041f00;
+function enterBoot() {
+  mcu.sram.set(boot, 0x41f00);
+  core.SP = 0x20041f00;
+  core.PC = 0x20041f00;
+}
+enterBoot();
 play(false);
+
+// ---- what the watchdog resets, as the firmware asks it to: everything but the oscillators
+const timer = mcu.peripherals[0x40054], watchdog = mcu.peripherals[0x40058];
+watchdog.onWatchdogTrigger = () => {
+  for (const alarm of timer.alarms) timer.disarmAlarm(alarm);
+  timer.intRaw = timer.intEnable = timer.intForce = 0;
+  for (const channel of mcu.pwm.channels) channel.reset();
+  mcu.sio.gpioValue = mcu.sio.gpioOutputEnable = 0;
+  for (const pin of mcu.gpio) {
+    pin.ctrl = 0x1f;
+    pin.checkForUpdates();
+  }
+  watchdog.enable = watchdog.timer.enable = watchdog.alarm.enable = false;
+  core.pendingInterrupts = core.enabledInterrupts = 0;
+  core.pendingPendSV = core.pendingSystick = core.waiting = core.PM = false;
+  core.IPSR = 0;
+  enterBoot();
+};
 
 const probed = probe?.(mcu, ...probeArguments);
 while (!done) {
   let cycles;
   const pc = core.PC, waiting = core.waiting;
-  if (core.waiting) {
+  // A program that goes round in one instruction waits, too.
+  const stuck = poked.length && !core.waiting && mcu.readUint16(pc) === 0xe7fe && !core.checkForInterrupts();
+  if (core.waiting || stuck) {
     cycles = Math.max(1, Math.ceil((clock.nanosToNextAlarm * mcu.clkSys) / 1e9 - 1e-6));
     core.cycles += cycles;
   } else {

@@ -74,7 +74,8 @@ static struct {
     int stims, at, byte;
     bool started, ending;
     char store[160];
-    unsigned flash_at, flash_bytes;
+    unsigned flash_at, flash_bytes, poked;
+    uint8_t was[2];
     _Alignas(16) unsigned char timer[256]; /* a QEMUTimer, which is smaller */
     _Alignas(16) unsigned char quiet[256];
 } g = {.written_ns = -1, .first_ns = -1};
@@ -111,6 +112,18 @@ static void type_byte(const stim_t *s) {
         fprintf(stderr, "scope: byte %d lost by the UART\n", byte);
 }
 
+/* Writes 16 bits, of flash as well; what was there is kept for heal(). */
+static void poke(unsigned at, unsigned value) {
+    uint8_t two[2] = {(uint8_t)value, (uint8_t)(value >> 8)};
+    cpu_memory_rw_debug(qemu_get_cpu(0), at, g.was, 2, false);
+    cpu_memory_rw_debug(qemu_get_cpu(0), at, two, 2, true);
+    g.poked = at;
+}
+
+static void heal(void) {
+    cpu_memory_rw_debug(qemu_get_cpu(0), g.poked, g.was, 2, true);
+}
+
 static void play(void *unused) {
     (void)unused;
     const stim_t *s = &g.stim[g.at];
@@ -122,6 +135,8 @@ static void play(void *unused) {
         }
     } else {
         if (s->kind == STIM_QUIT) quit(NULL);
+        if (s->kind == STIM_POKE) poke(s->at, s->value);
+        if (s->kind == STIM_HEAL) heal();
         if (s->kind == STIM_INPUT) {
             const wire_t *w = &g.input[s->input];
             void *dev = object_resolve_path(w->path, &(bool){false});

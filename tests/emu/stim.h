@@ -2,6 +2,9 @@
  *
  *     TIME type TEXT        bytes on the console from then on, 115200 baud; \r \n \\ \xHH
  *     TIME input NAME 0|1   a switch: limit_x limit_y button estop; 1 is active
+ *     TIME poke ADDRESS VALUE    16 bits of the board's memory, from outside: lib.sh puts addresses for @NAMES. Not on
+ *                                the simulator
+ *     TIME heal                  what was poked is again what it was
  *     TIME quit             the end of the run
  *     # comment
  *
@@ -16,7 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum stim_kind { STIM_TYPE, STIM_INPUT, STIM_QUIT };
+enum stim_kind { STIM_TYPE, STIM_INPUT, STIM_POKE, STIM_HEAL, STIM_QUIT };
 
 typedef struct stim {
     int64_t ns;
@@ -26,6 +29,7 @@ typedef struct stim {
     int bytes; /* of text */
     int input; /* number: bit of enum hal_input */
     int level;
+    unsigned at, value; /* of a poke */
 } stim_t;
 
 static int stim_input(const char *name) {
@@ -81,6 +85,10 @@ static int stim_read(const char *name, stim_t **out) {
             s->kind = STIM_INPUT;
             s->input = stim_input(which);
             if (s->input < 0) goto wrong;
+        } else if (strcmp(verb, "poke") == 0 && sscanf(rest, "%i %i", (int *)&s->at, (int *)&s->value) == 2) {
+            s->kind = STIM_POKE;
+        } else if (strcmp(verb, "heal") == 0) {
+            s->kind = STIM_HEAL;
         } else if (strcmp(verb, "quit") == 0) {
             s->kind = STIM_QUIT;
         } else {

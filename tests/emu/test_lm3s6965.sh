@@ -7,4 +7,5 @@ for s in smooth perspective corexy horizon rand sinc status data cubes halo smoo
 scene rand60 any
 . tests/emu/behave.sh
 . tests/emu/wiring.sh
+. tests/emu/faults.sh
 finish

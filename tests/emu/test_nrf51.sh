@@ -10,4 +10,5 @@ switch_us=100
 . tests/emu/behave.sh
 . tests/emu/power.sh
 . tests/emu/wiring.sh
+. tests/emu/faults.sh
 finish

@@ -6,4 +6,5 @@ for s in smooth perspective corexy horizon rand sinc status data cubes halo shad
 . tests/emu/behave.sh
 . tests/emu/power.sh
 . tests/emu/wiring.sh
+. tests/emu/faults.sh
 finish

@@ -1,0 +1,14 @@
+# faults.sh - a program that goes wrong: the machine stops, pen up, motors off; for the tests of the boards, after lib.sh.
+alone overrun
+says 'fault: the stack has run over'
+rests 0.9 0.91
+[ $board = nrf51 ] && return # QEMU has no model of its watchdog
+alone hang
+[ $board = lm3s6965 ] || rests 8.5 9.2 # QEMU's reset of that chip does not show at its pins
+says '<Idle.MPos:.Pen:up>'
+if [ "$(grep -ac 'help, help board' "$work/emu.said")" = 2 ]; then
+    echo "[       OK ] $board hang: the watchdog starts it again"
+else
+    bad 'hang: not started again'
+    cat "$work/emu.txt"
+fi
