@@ -1,6 +1,7 @@
 /* carriage.c - see carriage.h. */
 #include "app/carriage.h"
 
+#include "config.h"
 #include "hal/hal.h"
 
 #define LIMITS (HAL_IN_LIMIT_X | HAL_IN_LIMIT_Y)
@@ -99,7 +100,7 @@ bool carriage_ready(void *ctx) {
 int carriage_rest(void *ctx) {
     carriage_t *c = ctx;
     int err = look(c);
-    return err ? err : motion_rest(&c->motion);
+    return err ? err : motion_rest(&c->motion, CONFIG_OUTBOX == 0); /* nobody would serve it meanwhile */
 }
 
 int carriage_end(carriage_t *c, int err, motion_stats_t *stats) {

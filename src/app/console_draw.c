@@ -88,7 +88,7 @@ static path_feed_t feed_of(console_t *c, const machine_t *m) {
 
 static int draw(console_t *c, const plot_t *plot) {
     const path_feed_t feed = feed_of(c, &plot->settings->machine);
-    picture_hooks_t hooks = {.ctx = c, .progress = on_progress, .feed = CONFIG_OUTBOX ? &feed : NULL};
+    picture_hooks_t hooks = {.ctx = c, .progress = on_progress, .feed = &feed};
 #if CONFIG_AREA
     hooks.pen = on_pen;
 #endif

@@ -234,15 +234,16 @@ bool motion_ready(motion_t *m) {
     return !m->resting && stepgen_room() >= ROOM;
 }
 
-int motion_rest(motion_t *m) {
+int motion_rest(motion_t *m, bool wait) {
     if (check(m, m->at)) return m->error;
     if (!m->down || m->resting) return 0;
     if (m->pending_vertex) add_line(m, m->vertex);
     m->resting = true;
-    if (m->estimate)
+    if (m->estimate || wait)
         lift(m);
     else
         serve(m);
+    if (!m->estimate) stepgen_start();
     return 0;
 }
 

@@ -85,9 +85,9 @@ int motion_travel(motion_t *m, page_point_t to);
 /* Fills the queue from what is planned, and sets the machine going. Will the pen sink take a line without waiting for
  * it? To be called now and then while lines are still being computed. */
 bool motion_ready(motion_t *m);
-/* The stroke is over and nothing is known of what follows: the pen is lifted after it, without waiting for that. Errors
- * as move. */
-int motion_rest(motion_t *m);
+/* The stroke is over and nothing is known of what follows: the pen is lifted after it. wait: all of it is in the queue
+ * on return; else motion_ready sees to that. Errors as move. */
+int motion_rest(motion_t *m, bool wait);
 /* Lifts the pen and waits until everything is stepped. It stays where it is, motors on. As motion_finish otherwise. */
 int motion_park(motion_t *m, motion_stats_t *stats);
 /* Lifts the pen, goes home, waits until everything is stepped, switches the motors off; also after an error.

@@ -253,6 +253,8 @@ static void undo(search_t *s) {
     }
 }
 
+#define KICKS_FROM 16 /* strokes: with fewer there is little to find, and a small core has no stack for it */
+
 /* Kicks until the operations are used up. A function of its own: its arrays are not on the stack before. */
 static __attribute__((noinline)) void kick_on(search_t *s) {
     int32_t todo[TODO_MAX], journal[JOURNAL_MAX][2];
@@ -274,5 +276,5 @@ void tour_improve(tour_t *t, int64_t operations) {
     if (t->n < 2 || operations <= 0) return;
     near_build(&t->near, t->n + 1, CROWD);
     descend(&s);
-    if (t->n >= 4) kick_on(&s);
+    if (t->n >= KICKS_FROM) kick_on(&s);
 }

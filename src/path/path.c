@@ -176,7 +176,12 @@ static int flush(path_t *p, enum flush why) {
             err = emit_stroke(pool, p->map, tour.point, start, &p->simplify, &p->stats.vertices);
     }
     if (err) return err;
-    if (!p->fed) p->leaves = p->at;
+    if (!p->fed) {
+        const path_feed_t *feed = p->config.feed;
+        p->leaves = p->at;
+        if (!all && feed && feed->rest) err = feed->rest(feed->ctx); /* not a word until the pool is full again */
+    }
+    if (err) return err;
     p->drawing = p->drawn = 0;
     forget_drawn(pool);
     p->kept = pool->n;

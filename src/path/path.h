@@ -27,7 +27,8 @@ typedef struct path_feed {
     void *ctx;
     bool (*ready)(void *ctx); /* does the pen take a vertex at once? NULL: always */
     int (*rest)(void *ctx);   /* the stroke is over, lift the pen. Returns as the pen does; may be NULL */
-    int32_t runs;             /* that may wait in the outbox, if there is memory */
+    int32_t runs;             /* that may wait in the outbox, if there is memory. Without one the pen is only lifted
+                                 when the pool has been drawn in part */
     int32_t lat_per_ms;       /* how fast the pen draws */
     int32_t stroke_us;        /* and how long it takes to lift and lower it */
     int32_t order_us;         /* to put a run in order, at most */
