@@ -14,8 +14,8 @@
 #define AHEAD_EDGES 16
 #define AHEAD_BATCH 8
 #define AHEAD_PAIR 72
-#define AHEAD_ENTRY 64
-#define AHEAD_SOON 160
+#define AHEAD_ENTRY 80
+#define AHEAD_SOON 176
 #define AHEAD_AFTER 80
 #define AHEAD_SLACK 40
 
