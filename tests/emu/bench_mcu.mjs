@@ -1,6 +1,6 @@
 // bench_mcu.mjs - what boards take for surfaces, counted from outside the firmware, beside gnuplot on this PC.
 //
-//     node bench_mcu.mjs BUILDDIR        (make bench-mcu; SIZES="20 60" RANDOM="20 60" choose)
+//     node bench_mcu.mjs BUILDDIR        (make bench-mcu; SIZES="20 60" RANDOM="20 60" CUBES="2 5" choose)
 //     node bench_mcu.mjs BUILDDIR large  (make bench-mcu-large: the Pico's large scenes, drawn to the end; half an hour)
 //
 // The Pico runs in rp2040js, which counts cycles; bench_probe.mjs says in which stage. The others run in QEMU, which counts
@@ -30,9 +30,23 @@ function stimulus(shape, n, machine, more = '') {
   return file;
 }
 
+// k x k unit cubes, pitch 1.5, typed as the rows of an OBJ file.
+function cubes(k, hidden) {
+  const file = join(tmp, 'cubes.stim'), lines = [`20000 type set view 65,30; set hidden3d ${hidden}\\r`, "150000 type splot '-' solid\\r"];
+  let at = 300000;
+  for (let n = 0; n < k * k; n++, at += 60000) {
+    const v = [...Array(8).keys()].map((c) => `v ${1.5 * (n % k) + (c & 1)} ${1.5 * Math.floor(n / k) + ((c >> 1) & 1)} ${c >> 2}\\r`);
+    const f = ['-8 -6 -5 -7', '-4 -3 -1 -2', '-8 -7 -3 -4', '-6 -2 -1 -5', '-8 -4 -2 -6', '-7 -5 -1 -3'].map((c) => `f ${c}\\r`);
+    lines.push(`${at} type ${v.join('')}`, `${at + 30000} type ${f.join('')}`);
+  }
+  writeFileSync(file, [...lines, `${at} type e\\r`].join('\n') + '\n');
+  return file;
+}
+
 function pico(shape, n, until, machine, more) {
+  const stim = FUNCTION[shape] ? stimulus(shape, n, machine, more) : cubes(n, shape);
   const out = join(tmp, 'pico.json'), text = join(tmp, 'pico.txt');
-  const run = spawnSync('node', ['tests/emu/rp2040.mjs', `${build}/firmware/rp2040.bin`, stimulus(shape, n, machine, more),
+  const run = spawnSync('node', ['tests/emu/rp2040.mjs', `${build}/firmware/rp2040.bin`, stim,
     '/dev/null', text, '99', join(process.cwd(), 'tests/emu/bench_probe.mjs'), `${build}/firmware/rp2040.elf`, until, out],
     { env: { ...process.env, EMU_MODULES: `${build}/emu` }, encoding: 'utf8', timeout: 900e3 });
   if (run.status !== 0) throw new Error(`pico ${shape} ${n}: ${run.stderr}`);
@@ -69,6 +83,19 @@ function table() {
   }
 }
 
+// Twelve edges a cube.
+function solids() {
+  console.log('\nRP2040: k x k cubes, cycles per edge; hide: the convex kernel, or CUT and DRAW of haloed lines.\nWhere it is not sure that all fits, all of it was done once before, to try.\n');
+  console.log('| hidden3d | k | edges | build | project | once | hide | together, ms |\n|---|--:|--:|--:|--:|--:|--:|--:|');
+  for (const hidden of ['convex', 'halo'])
+    for (const k of sizes('CUBES', '2 5')) {
+      const c = pico(hidden, k, 'hidden').cycles, edges = 12 * k * k, sum = c.build + c.view + c.once + c.hide;
+      const cell = (v) => Math.round(v / edges).toLocaleString('en');
+      console.log(`| ${hidden} | ${k} | ${edges} | ${cell(c.build)} | ${cell(c.view)} | ${cell(c.once)} | ${cell(c.hide)} | ` +
+        `${((1e3 * sum) / PICO_HZ).toFixed(1)} |`);
+    }
+}
+
 // Drawn to the end; what the board itself says of its memory.
 function memory(board, said) {
   console.log(`\n${board}\n`);
@@ -101,6 +128,7 @@ if (process.argv[3] === 'large') {
 }
 
 table();
+solids();
 const r = pico('smooth', 60, 'quit', '', '+230000000 type memory\\r\n+230300000 quit');
 memory('Pico, smooth 60x60, A4, 100 mm/s, drawn to the end', r.text);
 for (const [shape, n, seconds] of [['smooth', 60, 70], ['random', 32, 150]])

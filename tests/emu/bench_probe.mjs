@@ -10,8 +10,10 @@ const FLASH = 0x10000000;
 // The functions that begin a phase.
 const PHASES = {
   measure: ['grid_measure'],
-  view: ['picture_camera', 'page_map_setup'],
-  hide: ['perimeter_draw_several', 'plain_draw', 'horizon_draw'],
+  build: ['solid_build'],
+  once: ['once_build'],
+  view: ['picture_camera', 'page_map_setup', 'solid_map_setup'],
+  hide: ['perimeter_draw_several', 'plain_draw', 'horizon_draw', 'convex_draw', 'halo_ink_draw'],
   evaluate: ['expr_surface_z_at'],
   ink: ['join_piece', 'path_finish', 'path_begin'],
   motion: ['pen_move', 'pen_draw', 'carriage_begin', 'carriage_end'],
@@ -37,7 +39,8 @@ export default function probe(mcu, elf, until, out, profile = '0') {
   const tell = symbols.find((s) => s.name === 'picture_tell').at;
   const interesting = new Uint8Array(1 << 20);
   const finish = symbols.find((s) => s.name === 'path_finish').at;
-  for (const a of [...enters.keys(), tell]) interesting[(a - FLASH) >> 1] = 1;
+  const draw = symbols.find((s) => s.name === 'picture_draw').at; // before it, it may have been tried whether all fits
+  for (const a of [...enters.keys(), tell, draw]) interesting[(a - FLASH) >> 1] = 1;
 
   const ms = {}; // when what happened first
   const note = (what) => (ms[what] ??= clock.nanos / 1e6);
@@ -76,6 +79,7 @@ export default function probe(mcu, elf, until, out, profile = '0') {
       const k = ((pc - FLASH) >>> 1) & 0xfffff;
       while (pc === back && core.SP >= backSP) ({ phase, back, backSP } = stack.pop());
       if (interesting[k]) {
+        if (pc === draw) Object.keys(cycles).forEach((c) => (cycles[c] = 0));
         if (pc === tell && core.registers[1] !== stage) {
           stage = core.registers[1];
           if (stage === 0) Object.keys(cycles).forEach((c) => (cycles[c] = 0));
