@@ -39,7 +39,8 @@ static int32_t exponent_of(int64_t d, int32_t e) {
 /* floor(d * 2^e / 2^exp), for exp >= exponent_of(d, e), or exp >= e. */
 static inline int64_t units(int64_t d, int32_t e, int32_t exp) {
     const int32_t shift = exp - e;
-    if (NUM_FAST_RARE(shift < 0)) return d * ((int64_t)1 << -shift); /* d is short: the rest was cancelled */
+    /* d is short: the rest was cancelled. Or it is 0, and e means nothing. */
+    if (NUM_FAST_RARE(shift < 0)) return (int64_t)((uint64_t)d << (-shift & 63));
     return d >> (shift < 63 ? shift : 63);
 }
 
