@@ -54,6 +54,10 @@ __attribute__((section(".ramcode"), noinline)) static void flash_do(const rom_t 
         rom->program(at, page, PAGE);
     rom->flush();
     rom->enter_xip();
+    /* At the boot ROM's pace, which is slower: back to that of boot2.S, or all code would be until the next reset. */
+    REG(XIP_SSI + 0x08u) = 0;
+    REG(XIP_SSI + 0x14u) = 4;
+    REG(XIP_SSI + 0x08u) = 1;
 }
 
 int hal_store_write(int slot, const void *buf, size_t bytes) {
