@@ -247,7 +247,7 @@ bool console_command(console_t *c, const char *line, int *err) {
         if (!is_line(line, COMMAND[i].line)) continue;
         bool locked = COMMAND[i].at_rest && carriage_alarm(&c->carriage);
         *err = locked ? refused("error: locked: home or unlock first\n") : COMMAND[i].run(c);
-        if (*err && *err != ERR_MACHINE) {
+        if (*err && *err != ERR_MACHINE && *err != ERR_EMPTY && *err != ERR_DATA) { /* of these was spoken already */
             say("error: ");
             say(error_text(*err));
             say("\n");

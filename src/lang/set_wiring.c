@@ -99,8 +99,7 @@ int set_machine_pen(session_t *s, lexer_t *lx, machine_t *m) {
 #if CONFIG_PEN_PWM
     return kind == HAL_PEN_SERVO ? servo(s, lx, &m->wiring) : solenoid(s, lx, &m->wiring);
 #else
-    return session_fail(s, &at, ERR_MACHINE,
-                        "this board has no PWM: pen level, and a circuit that makes of it what the pen needs");
+    return session_fail(s, &at, ERR_MACHINE, "this board has no PWM: it can only do pen level");
 #endif
 }
 
