@@ -146,7 +146,11 @@ int set_hidden3d(session_t *s, lexer_t *lx) {
 #endif
     if (!session_at_end(lx))
         return lexer_unexpected(lx, &s->error,
-                                "perimeter, horizon [infinite], convex, halo, area, none or dashed expected");
+                                "perimeter, horizon, convex, halo, area, none, dashed"
+#if CONFIG_AREA
+                                ", outline"
+#endif
+                                " expected");
 #if CONFIG_AREA
     s->settings.outline = outline;
 #endif
