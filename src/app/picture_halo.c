@@ -18,9 +18,20 @@ static int32_t grid_edges(const grid_t *g) {
     return row_edges(g) + g->nx * (g->ny - 1);
 }
 
+#define SHARE_BITS 32 /* of a part of a depth; depths and heights of a grid take 31 at most */
+
+/* A part of the depth, of column or row `at`; of an edge's two ends one is the last edge's. */
+typedef struct share {
+    int32_t grid, at;
+    int64_t q32;
+} share_t;
+
 typedef struct frames {
     picture_t *p;
-    num_t middle[3], weight[3]; /* parallel: depth is the sum of weight * (place - middle) */
+    num_t middle[3], weight[3];          /* parallel: depth is the sum of weight * (place - middle) */
+    int64_t base_q32[PICTURE_GRIDS_MAX]; /* of a height of 0 on the grid's lattice */
+    int64_t unit_q32[PICTURE_GRIDS_MAX]; /* of each unit more */
+    share_t share[2][2];                 /* of x and y: by the lowest bit of at */
 } frames_t;
 
 /* Along a line of sight anything grows that has a positive product with its direction. Measured in parts of the box,
@@ -49,19 +60,38 @@ static void weigh(frames_t *f) {
         f->weight[axis] = num_div(num_mul(f->weight[axis], num_from_i64(HALO_INK_DEPTH)), all);
 }
 
-static int32_t depth_of(const frames_t *f, const grid_t *g, int32_t i, int32_t j) {
+static int64_t depth_q32(const frames_t *f, int axis, num_t at) {
+    return num_to_fixed(num_mul(f->weight[axis], num_sub(at, f->middle[axis])), SHARE_BITS, NULL);
+}
+
+/* Heights count in integers. */
+static void weigh_heights(frames_t *f) {
+    for (int32_t k = 0; k < f->p->spaces; k++) {
+        const grid_t *g = &f->p->grid[k];
+        f->base_q32[k] = depth_q32(f, 2, g->z_origin);
+        f->unit_q32[k] = num_to_fixed(num_ldexp(f->weight[2], g->z_exp), SHARE_BITS, NULL);
+    }
+    for (int k = 0; k < 4; k++) f->share[k >> 1][k & 1] = (share_t){.grid = -1};
+}
+
+static int64_t share_of(frames_t *f, int axis, int32_t grid, int32_t at) {
+    share_t *share = &f->share[axis][at & 1];
+    if (share->grid != grid || share->at != at) {
+        const surface_t *s = f->p->grid[grid].src;
+        *share = (share_t){grid, at, depth_q32(f, axis, axis ? s->y_of(s->ctx, at) : s->x_of(s->ctx, at))};
+    }
+    return share->q32;
+}
+
+static int32_t depth_of(frames_t *f, int32_t grid, int32_t i, int32_t j) {
     int32_t zi = 0;
-    grid_height((grid_t *)(uintptr_t)g, i, j, &zi);
-    const surface_t *s = g->src;
-    const num_t at[3] = {s->x_of(s->ctx, i), s->y_of(s->ctx, j),
-                         num_add(g->z_origin, num_ldexp(num_from_i64(zi), g->z_exp))};
-    num_t sum = num_from_i64(0);
-    for (int k = 0; k < 3; k++) sum = num_add(sum, num_mul(f->weight[k], num_sub(at[k], f->middle[k])));
-    return (int32_t)num_to_fixed(sum, 0, NULL);
+    grid_height(&f->p->grid[grid], i, j, &zi);
+    const int64_t q32 = share_of(f, 0, grid, i) + share_of(f, 1, grid, j) + f->base_q32[grid] + zi * f->unit_q32[grid];
+    return (int32_t)((q32 + ((int64_t)1 << (SHARE_BITS - 1))) >> SHARE_BITS);
 }
 
 static bool grid_edge(void *ctx, int32_t e, ink_piece_t *ink, page_h_t end[2], int32_t depth[2]) {
-    const frames_t *f = ctx;
+    frames_t *f = ctx;
     int32_t k = 0;
     for (; e >= grid_edges(&f->p->grid[k]); k++) e -= grid_edges(&f->p->grid[k]);
     const grid_t *g = &f->p->grid[k];
@@ -75,7 +105,7 @@ static bool grid_edge(void *ctx, int32_t e, ink_piece_t *ink, page_h_t end[2], i
     if (!s->at(s->ctx, ink->family, line, ink->from_q30, &end[0])) return false;
     if (!s->at(s->ctx, ink->family, line, ink->to_q30, &end[1])) return false;
     for (int at = 0; at < 2 && !s->perspective; at++)
-        depth[at] = depth_of(f, g, row ? cell + at : line, row ? line : cell + at);
+        depth[at] = depth_of(f, k, row ? cell + at : line, row ? line : cell + at);
     return true;
 }
 
@@ -87,6 +117,7 @@ int picture_halo_surfaces(picture_t *p, const hidden_job_t *job) {
         p->stats.facets += (int64_t)(p->grid[k].nx - 1) * (p->grid[k].ny - 1);
     }
     weigh(&f);
+    if (!p->camera.perspective) weigh_heights(&f);
     const settings_t *s = p->plot->settings;
     return halo_ink_draw(&source, width_lat(s), s->halo_ends, job, &p->stats.hidden);
 }
