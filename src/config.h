@@ -81,6 +81,13 @@ _Static_assert(CONFIG_DATA_COLUMNS < 64, "data_reader keeps one bit per column i
 #define CONFIG_NESTING 64
 #endif
 
+/* Operations of a straight expression that is taken apart for a grid, calls of functions replaced by what they say: while
+ * that is done 6 bytes of the machine's stack each, and 8 of the memory that is lent. */
+#ifndef CONFIG_PARTS
+#define CONFIG_PARTS (CONFIG_STACK < 64 ? 64 : CONFIG_STACK)
+#endif
+_Static_assert(CONFIG_PARTS >= 64 && CONFIG_PARTS <= 4096, "lang/parts.h, lang/hoist.h and lang/inline.h count on it");
+
 /* Compiled expressions of one plot command, those in `using` included: a byte an operator, 2 a name, 11 a constant. */
 #ifndef CONFIG_PLOT_CODE
 #define CONFIG_PLOT_CODE 4096

@@ -15,12 +15,22 @@ static num_t height_at(void *ctx, num_t x, num_t y) {
     picture_t *p = ctx;
     const plot_item_t *item = &p->plot->item[0];
     const range_t *r = &p->plot->settings->z;
-    num_t z = item->z_at ? item->z_at(item->surface.ctx, x, y) : bilinear_at(&item->surface, x, y);
+    num_t z = item->anywhere ? item->anywhere->z_at(item->surface.ctx, x, y) : bilinear_at(&item->surface, x, y);
     p->stats.evaluated++;
     if (z.undef) return z;
     if (!r->auto_lo && num_cmp(z, r->lo) < 0) return num_undef();
     if (!r->auto_hi && num_cmp(z, r->hi) > 0) return num_undef();
     return z;
+}
+
+/* Memory that makes heights anywhere cheaper, if it takes an eighth of what is left at the most; NULL takes it back. */
+static void lend(picture_t *p, bool give) {
+    const plot_item_t *item = &p->plot->item[0];
+    if (p->plot->kind == PLOT_SOLIDS || !item->anywhere) return;
+    void *mem = give ? p->arena.base + p->arena.used + arena_gap(&p->arena) : NULL;
+    size_t used = item->anywhere->lend(item->surface.ctx, mem, arena_left(&p->arena) / 8);
+    if (used) arena_take(&p->arena, used);
+    p->stats.map_bytes += used;
 }
 
 /* isosamples[1] profiles of samples[0] points. The ground direction of the view must be known before the heights are: a
@@ -67,11 +77,11 @@ static void cache_points(picture_t *p) {
     p->stats.cache_bytes += used;
 }
 
-int picture_profiles(picture_t *p, const pen_sink_t *pen) {
+static int draw(picture_t *p, const pen_sink_t *pen) {
     const plot_t *plot = p->plot;
-    if (plot->n > 1) return ERR_UNSUPPORTED;
     size_t kernel_bytes;
     void *kernel = picture_kernel_memory(p, &kernel_bytes);
+    lend(p, true);
     int err = plot->kind != PLOT_SOLIDS ? cut_surface(p) : CONFIG_HALO ? cut_terrain(p) : ERR_UNSUPPORTED;
     if (!err) cache_points(p);
     if (!err) err = profile_map_measure(&p->profile_map, &p->profiles);
@@ -89,4 +99,11 @@ int picture_profiles(picture_t *p, const pen_sink_t *pen) {
     p->stats.facets = p->stats.hidden.facets;
     p->stats.kernel_bytes = p->stats.hidden.bytes;
     return err ? err : picture_close(p);
+}
+
+int picture_profiles(picture_t *p, const pen_sink_t *pen) {
+    if (p->plot->n > 1) return ERR_UNSUPPORTED;
+    int err = draw(p, pen);
+    lend(p, false);
+    return err;
 }

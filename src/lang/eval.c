@@ -64,13 +64,13 @@ static const char *refusal(const lang_t *l, const symbol_t *s, int args, const v
         kind = VALUE_REAL;                                                                                             \
     } while (0)
 #define BINARY_REAL(function)                                                                                          \
-    if (NUM_FAST_RARE((sp->kind | kind) != VALUE_REAL)) goto binary;                                                   \
+    if (NUM_FAST_RARE((sp->kind | kind) != VALUE_REAL)) goto mixed;                                                    \
     TAKE_REAL(function(((num_t){sp->m, sp->e, false}), TOP_REAL));                                                     \
     sp--;                                                                                                              \
     break
 /* condition: on sign, that of the difference */
 #define COMPARE_REAL(condition)                                                                                        \
-    if (NUM_FAST_RARE((sp->kind | kind) != VALUE_REAL)) goto binary;                                                   \
+    if (NUM_FAST_RARE((sp->kind | kind) != VALUE_REAL)) goto mixed;                                                    \
     sign = num_fast_cmp((num_t){sp->m, sp->e, false}, TOP_REAL);                                                       \
     TAKE_INT(condition);                                                                                               \
     sp--;                                                                                                              \
@@ -95,6 +95,7 @@ int expr_run(lang_t *l, const expr_t *x, value_t *out) {
     bool truth;
     for (;;) {
         uint8_t op = *pc++;
+    again:
         switch (op) {
         case OP_ARG:
         case OP_ARG + 1:
@@ -147,7 +148,7 @@ int expr_run(lang_t *l, const expr_t *x, value_t *out) {
             break;
         }
         case OP_SUB: /* one copy of the addition, inlined, serves both */
-            if (NUM_FAST_RARE((sp->kind | kind) != VALUE_REAL)) goto binary;
+            if (NUM_FAST_RARE((sp->kind | kind) != VALUE_REAL)) goto mixed;
             m = -m;
             /* fall through */
         case OP_ADD:
@@ -164,6 +165,15 @@ int expr_run(lang_t *l, const expr_t *x, value_t *out) {
             COMPARE_REAL(sign > 0);
         case OP_GE:
             COMPARE_REAL(sign >= 0);
+        mixed: /* an integer meets a real and becomes one: 7*y inside of a function */
+            if ((sp->kind ^ kind) != (VALUE_REAL ^ VALUE_INT)) goto binary;
+            if (kind == VALUE_INT) {
+                TAKE_REAL(value_from_integer(m));
+            } else {
+                num_t left = value_from_integer(sp->m);
+                put(sp, left.m, left.e, VALUE_REAL);
+            }
+            goto again;
         case OP_MOD:
         case OP_POW:
         case OP_SHL:

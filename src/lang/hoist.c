@@ -153,17 +153,15 @@ static void take_apart(hoist_t *h, const plan_t *p, const expr_t *x, uint8_t *co
     h->per_row = p->per_row;
 }
 
+#define INLINE_WORTH (8 * INLINE_CODE_MAX) /* bytes lent below which calls are not replaced: most are for the table */
+
 /* The memory of hoist_init: the result, code with its calls replaced, the three pieces' code, the table. */
 size_t hoist_init(lang_t *lang, const expr_t *x, bool pure, int32_t columns, void *mem, size_t bytes) {
     hoist_t *h = mem;
     expr_t flat = *x;
     size_t used = sizeof *h;
-    if (pure && inline_is_call(x)) {
-        uint8_t *buf = (uint8_t *)mem + used;
-        used += 2 * INLINE_CODE_MAX;
-        if (used > bytes) return 0;
-        inline_calls(lang, &flat, buf);
-    }
+    if (pure && inline_is_call(x) && bytes >= INLINE_WORTH && inline_calls(lang, &flat, (uint8_t *)mem + used))
+        used += (flat.len + 7u) / 8 * 8;
     plan_t p = {.code = flat.code};
     bool apart = pure && parts_find(flat.code, true, &p.parts) && find_moved(&p) && p.n > 0 &&
                  flat.stack + p.per_column + p.per_row <= CONFIG_STACK;
@@ -171,6 +169,8 @@ size_t hoist_init(lang_t *lang, const expr_t *x, bool pure, int32_t columns, voi
     size_t table = (size_t)columns * (1u + (apart ? p.per_column : 0u)) * sizeof(value_t);
     if (used + code + table > bytes) return 0;
     *h = (hoist_t){.lang = lang, .point = *x, .table = (value_t *)(void *)((uint8_t *)mem + used + code)};
+    for (int32_t i = 0; i < columns; i++) h->table[i * (1 + (apart ? p.per_column : 0))].kind = VALUE_UNDEF;
+    h->of_row[0].kind = VALUE_UNDEF;
     if (apart) take_apart(h, &p, &flat, (uint8_t *)mem + used);
     return used + code + table;
 }

@@ -11,12 +11,13 @@
 
 #include "lang/expr.h"
 
-#define HOIST_MAX 8 /* values of a column and a row together */
+#define HOIST_MAX (CONFIG_PARTS / 8 < 120 ? CONFIG_PARTS / 8 : 120) /* values of a column and a row together */
 
 typedef struct hoist {
     lang_t *lang;
     expr_t column, row, point; /* column and row leave their values on the evaluator's stack, behind x and y */
     uint8_t per_column, per_row;
+    bool anywhere;                 /* the owner's: the only column is that of the place asked for last */
     bool row_dead;                 /* the row's part is undefined, so are all its points */
     value_t *table;                /* of each column: x, and its values */
     value_t of_row[1 + HOIST_MAX]; /* y, and the row's values */
@@ -31,6 +32,17 @@ int hoist_column(hoist_t *h, int32_t i, num_t x);
 int hoist_row(hoist_t *h, num_t y);
 /* The expression at column i of the last row. */
 int hoist_point(const hoist_t *h, int32_t i, value_t *out);
+
+/* Has this column, or row, been evaluated last? An undefined one has not, and all are undefined at first. */
+static inline bool hoist_is(const value_t *last, num_t v) {
+    return last->kind == VALUE_REAL && last->m == v.m && last->e == v.e && !v.undef;
+}
+static inline bool hoist_has_column(const hoist_t *h, int32_t i, num_t x) {
+    return hoist_is(&h->table[i * (1 + h->per_column)], x);
+}
+static inline bool hoist_has_row(const hoist_t *h, num_t y) {
+    return hoist_is(&h->of_row[0], y);
+}
 
 static inline num_t hoist_x(const hoist_t *h, int32_t i) {
     const value_t *x = &h->table[i * (1 + h->per_column)];

@@ -10,7 +10,7 @@
 #include "lang/code.h"
 #include "lang/expr.h"
 
-#define INLINE_CODE_MAX 256 /* bytes of code; what would be longer is left as it is */
+#define INLINE_CODE_MAX ((size_t)4 * CONFIG_PARTS) /* bytes of code; what would be longer is left as it is */
 
 static inline bool inline_is_call(const expr_t *x) {
     for (const uint8_t *p = x->code; p < x->code + x->len; p += 1 + code_operands(*p)) {
@@ -19,8 +19,8 @@ static inline bool inline_is_call(const expr_t *x) {
     return false;
 }
 
-/* Replaces all calls of x, whose code moves to buf. buf: 2 * INLINE_CODE_MAX bytes, of which the first half is used in
- * the end. False, x being as it was, if there is something that cannot be moved: a function that does not exist, takes
+/* Replaces all calls of x, whose code moves to buf. buf: 2 * INLINE_CODE_MAX bytes, of which x->len are used in the
+ * end. False, x being as it was, if there is something that cannot be moved: a function that does not exist, takes
  * another number of arguments, chooses (?:, &&), calls itself or does not use an argument that is more than a value. */
 bool inline_calls(const lang_t *l, expr_t *x, uint8_t *buf);
 

@@ -6,11 +6,12 @@
 #ifndef PARTS_H
 #define PARTS_H
 
+#include "config.h"
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-#define PARTS_MAX 64 /* longer code is left alone; 5 bytes of the machine's stack each */
+#define PARTS_MAX CONFIG_PARTS /* longer code is left alone */
 
 typedef struct parts {
     int n;

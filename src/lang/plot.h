@@ -30,8 +30,7 @@ typedef struct plot_item {
              * rows of `rows`, with samples[0] points each, the lines of constant x the columns of `cols`, with
              * samples[1] points each. For data both equal `surface`. */
             surface_t rows, cols;
-            /* The height anywhere, for profiles that leave the grid; NULL for data. ctx is surface.ctx. */
-            num_t (*z_at)(void *ctx, num_t x, num_t y);
+            const surface_anywhere_t *anywhere; /* for profiles that leave the grid; NULL for data */
         };
         curve_t curve;
         mesh_t mesh;

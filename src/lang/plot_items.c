@@ -61,7 +61,7 @@ static int function_item(session_t *s, const session_source_t *src, session_work
         err = expr_surface_grid(&work->expr.grid, source, lo, hi, iso, &item->surface);
         if (!err) err = expr_surface_grid(&work->expr.rows, source, lo, hi, along_x, &item->rows);
         if (!err) err = expr_surface_grid(&work->expr.cols, source, lo, hi, along_y, &item->cols);
-        item->z_at = expr_surface_z_at;
+        item->anywhere = &EXPR_SURFACE_ANYWHERE;
     }
     return err ? plot_fail(s, src, err, "the x or y range is too narrow") : 0;
 }
@@ -72,7 +72,7 @@ static int data_item(session_t *s, const session_source_t *src, const data_grid_
     int err = data_grid_surface(grid, data_limits(s, 0, x), data_limits(s, 1, y), &work->data, &item->surface);
     if (err) return plot_fail(s, src, err, "fewer than 2 x 2 of these points are within the x and y ranges");
     item->rows = item->cols = item->surface;
-    item->z_at = NULL;
+    item->anywhere = NULL;
     return 0;
 }
 

@@ -51,8 +51,24 @@ static num_t y_of(void *ctx, int32_t j) {
     return place(ctx, 1, j);
 }
 
-num_t expr_surface_z_at(void *ctx, num_t x, num_t y) {
+static size_t lend_anywhere(void *ctx, void *mem, size_t bytes) {
     expr_grid_t *g = ctx;
+    expr_source_t *s = g->source;
+    size_t used = mem && !s->random ? hoist_init(s->lang, &s->expr, true, 1, mem, bytes) : 0;
+    g->hoist = used ? mem : NULL;
+    if (used) g->hoist->anywhere = true;
+    return used;
+}
+
+static num_t z_at(void *ctx, num_t x, num_t y) {
+    expr_grid_t *g = ctx;
+    if (g->hoist && g->hoist->anywhere) {
+        value_t v;
+        if (!hoist_has_column(g->hoist, 0, x)) note_error(g->source, hoist_column(g->hoist, 0, x));
+        if (!hoist_has_row(g->hoist, y)) note_error(g->source, hoist_row(g->hoist, y));
+        note_error(g->source, hoist_point(g->hoist, 0, &v));
+        return value_num(v);
+    }
     num_t at[2] = {x, y};
     return evaluate(g->source, at, 2);
 }
@@ -63,14 +79,16 @@ static num_t z_of(void *ctx, int32_t i, int32_t j) {
     if (j != g->row) { /* rows are mostly asked for as a whole */
         g->row = j;
         g->row_y = place(g, 1, j);
-        if (g->hoist) note_error(s, hoist_row(g->hoist, g->row_y));
+        if (g->hoist && !g->hoist->anywhere) note_error(s, hoist_row(g->hoist, g->row_y));
     }
-    if (!g->hoist) return expr_surface_z_at(ctx, place(g, 0, i), g->row_y);
+    if (!g->hoist || g->hoist->anywhere) return z_at(ctx, place(g, 0, i), g->row_y);
     value_t v;
     if (s->random) seed_for(s, (num_t[]){hoist_x(g->hoist, i), g->row_y}, 2);
     note_error(s, hoist_point(g->hoist, i, &v));
     return value_num(v);
 }
+
+const surface_anywhere_t EXPR_SURFACE_ANYWHERE = {z_at, lend_anywhere};
 
 static size_t lend(void *ctx, void *mem, size_t bytes) {
     expr_grid_t *g = ctx;

@@ -39,9 +39,10 @@ void expr_surface_source(expr_source_t *s, lang_t *lang, const expr_t *expr);
  * doubles. g and source outlive out. */
 int expr_surface_grid(expr_grid_t *g, expr_source_t *source, const num_t lo[2], const num_t hi[2], const int32_t n[2],
                       surface_t *out);
-/* The height anywhere; ctx is the expr_grid_t, as in the surface. */
-num_t expr_surface_z_at(void *ctx, num_t x, num_t y);
-/* The same for an expression of x. */
+/* The height anywhere; ctx is the expr_grid_t, as in the surface. With memory lent what depends on x or y alone is not
+ * evaluated again while that stays. */
+extern const surface_anywhere_t EXPR_SURFACE_ANYWHERE;
+/* As expr_surface_grid for an expression of x. */
 int expr_surface_curve(expr_grid_t *g, expr_source_t *source, num_t lo, num_t hi, int32_t n, curve_t *out);
 
 #endif

@@ -22,4 +22,10 @@ typedef struct surface {
     size_t (*lend)(void *ctx, void *mem, size_t bytes);
 } surface_t;
 
+/* What a surface says of places off its grid, for profiles; the calls take its ctx. */
+typedef struct surface_anywhere {
+    num_t (*z_at)(void *ctx, num_t x, num_t y);
+    size_t (*lend)(void *ctx, void *mem, size_t bytes); /* as the surface's, for z_at, and instead of it */
+} surface_anywhere_t;
+
 #endif
