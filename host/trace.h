@@ -46,6 +46,8 @@ typedef struct trace_axis_judgement {
     uint64_t min_setup_ps;               /* from a change of DIR to the next pulse; 0 when there was none */
     uint64_t min_interval_ps;            /* between the beginnings of two pulses; 0 when there was none */
     double max_jump_mm_s;                /* speed change from one step to the next in the same direction */
+    unsigned long misplaced;             /* places where steps are not where their neighbours say (trace_place.h) */
+    double misplaced_at_s, misplaced_s;  /* the first of them: when, and by how long */
 } trace_axis_judgement_t;
 
 typedef struct trace_judgement {
@@ -63,6 +65,8 @@ typedef struct trace_judgement {
     unsigned long disabled;               /* steps with the motors off */
     unsigned long short_pulses, short_setups;
     unsigned long turned_high; /* changes of DIR during a pulse */
+    unsigned long unchanged;   /* pairs of stops as long as those for the pen, in which it did not change */
+    double unchanged_at_s;     /* the first */
     bool has_pen, has_enable;
     bool ends_home, ends_up, ends_disabled;
     bool speed_ok, accel_ok;
@@ -74,6 +78,8 @@ typedef struct trace_judgement {
 /* Times are compared with this much grace, for traces in units coarser than a tick. */
 #define TRACE_GRACE_PS 100000
 
+/* Is nothing of it against the machine's numbers? */
+bool trace_is_legal(const trace_judgement_t *j);
 /* Judges t by m (which need not be t->machine). Returns 0, ERR_FULL (no memory). */
 int trace_judge(const trace_t *t, const machine_t *m, trace_judgement_t *out);
 /* Prints a judgement for people: one line per finding, illegal ones begin with `! `. */

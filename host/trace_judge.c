@@ -5,7 +5,7 @@
  * traces of any origin: one step of jitter is 4 / window^2 = 10^4 steps/s^2, 125 mm/s^2 at 80 steps/mm. */
 #include "error.h"
 #include "hal/hal.h"
-#include "host/trace_path.h"
+#include "host/trace_place.h"
 #include <math.h>
 
 #define STRIDES 4            /* samples per window */
@@ -62,11 +62,45 @@ static void fall(axis_t *a, trace_axis_judgement_t *j, trace_judgement_t *all, c
     if (width + TRACE_GRACE_PS < (uint64_t)m->pulse_ns * 1000) all->short_pulses++;
 }
 
+static double accel_mm_s2(const machine_t *m) {
+    return m->accel_um_s2 * 1e-3;
+}
+
+#define STOP_LEAST_S 0.02 /* shorter delays, or those of a few slow steps, are not told from motion */
+
+/* Is this as long as a stop for the pen: the delay, and half a step from and to rest? */
+static bool is_pen_stop(const machine_t *m, uint32_t delay_us, uint64_t stood_ps) {
+    double coarsest = 65536.0 / fmin(m->steps_per_mm_q16[0], m->steps_per_mm_q16[1]);
+    double slowest = fmin(m->draw_speed_um_s, m->travel_speed_um_s) * 1e-3;
+    double rest = sqrt(coarsest / accel_mm_s2(m)), delay = delay_us * 1e-6, stood = (double)stood_ps * 1e-12;
+    if (delay < STOP_LEAST_S || delay < 8 * fmax(rest, coarsest / slowest)) return false;
+    return stood >= delay && stood <= delay + 3 * rest;
+}
+
+/* The stops of the machine since the pen changed last, as far as they are as long as one for the pen. A change that is
+ * missing leaves two, since the next one changes nothing either; one alone may be a hold. */
+typedef struct stops {
+    int count;
+    uint64_t first_ps;
+} stops_t;
+
+static void judge_stop(stops_t *s, trace_judgement_t *all, const machine_t *m, bool down, uint64_t last, uint64_t now) {
+    uint32_t delay_us = down == (s->count == 0) ? m->lift_us : m->lower_us;
+    if (!is_pen_stop(m, delay_us, now - last)) return;
+    if (s->count++ == 0) {
+        s->first_ps = last;
+        return;
+    }
+    if (!all->unchanged++) all->unchanged_at_s = (double)s->first_ps * 1e-12;
+    s->count = 0;
+}
+
 /* Edges; fills in the knots of both motors. */
 static int judge_edges(const trace_t *t, const machine_t *m, trace_judgement_t *out, trace_knots_t knots[2]) {
     axis_t axis[2] = {0};
     for (int i = 0; i < 2; i++) axis[i].mm = 65536.0 / m->steps_per_mm_q16[i];
-    uint64_t pen_ps = 0, down_ps = 0, grace = TRACE_GRACE_PS;
+    uint64_t pen_ps = 0, down_ps = 0, grace = TRACE_GRACE_PS, last_ps = 0; /* last_ps: of any step; 0: none */
+    stops_t stops = {0};
     bool pen_moved = false, first_step = false;
     uint8_t pins = t->initial;
     for (size_t i = 0; i < t->count; i++) {
@@ -85,6 +119,8 @@ static int judge_edges(const trace_t *t, const machine_t *m, trace_judgement_t *
                 continue;
             }
             bool forward = e->pins & DIR[k];
+            if (last_ps && pen_ps < last_ps && t->has_pen) judge_stop(&stops, out, m, pins & HAL_PEN, last_ps, now);
+            last_ps = now;
             step(&axis[k], &out->axis[k], out, m, now, forward);
             if (!trace_knots_add(&knots[k], (double)now * 1e-12, (double)axis[k].pos + (forward ? -0.5 : 0.5)))
                 return ERR_FULL;
@@ -103,6 +139,7 @@ static int judge_edges(const trace_t *t, const machine_t *m, trace_judgement_t *
             else
                 down_ps += now - pen_ps;
             pen_ps = now;
+            stops.count = 0;
             pen_moved = first_step = true;
         }
         pins = e->pins;
@@ -187,12 +224,32 @@ static void judge_lengths(const trace_t *t, const machine_t *m, trace_judgement_
     }
 }
 
-/* Along and across the path at once, and the change of velocity that the junction deviation d allows at one vertex:
- * 2 v sin(t/2) with v^2 = a d s/(1-s), s = cos(t/2), is below 2 sqrt(2 a d) whatever the turn t. */
+/* The change of velocity that the junction deviation d allows at one vertex: 2 v sin(t/2) with v^2 = a d s/(1-s),
+ * s = cos(t/2), is below 2 sqrt(2 a d) whatever the turn t. */
+static double vertex_jump(const machine_t *m) {
+    double speed = fmax(m->draw_speed_um_s, m->travel_speed_um_s) * 1e-3;
+    return fmin(2 * sqrt(2 * accel_mm_s2(m) * m->junction_um * 1e-3), 2 * speed);
+}
+
+/* Along and across the path at once, and at one vertex. */
 static double accel_limit(const machine_t *m) {
-    double accel = m->accel_um_s2 * 1e-3, speed = fmax(m->draw_speed_um_s, m->travel_speed_um_s) * 1e-3;
-    double jump = fmin(2 * sqrt(2 * accel * m->junction_um * 1e-3), 2 * speed);
-    return accel * sqrt(2) + jump / TRACE_WINDOW_S;
+    return accel_mm_s2(m) * sqrt(2) + vertex_jump(m) / TRACE_WINDOW_S;
+}
+
+static void judge_places(const machine_t *m, trace_judgement_t *out, const trace_knots_t knots[2]) {
+    for (int k = 0; k < 2; k++) {
+        trace_axis_judgement_t *a = &out->axis[k];
+        trace_place_t p = trace_place(&knots[k], 65536.0 / m->steps_per_mm_q16[k], accel_mm_s2(m), vertex_jump(m));
+        a->misplaced = p.count;
+        a->misplaced_at_s = p.at_s;
+        a->misplaced_s = p.off_s;
+    }
+}
+
+bool trace_is_legal(const trace_judgement_t *j) {
+    return j->accel_ok && j->speed_ok && j->ends_home && j->ends_up && j->ends_disabled && !j->axis[0].misplaced &&
+           !j->axis[1].misplaced && !j->unchanged && !j->unsettled && !j->disabled && !j->short_pulses &&
+           !j->short_setups && !j->turned_high;
 }
 
 int trace_judge(const trace_t *t, const machine_t *m, trace_judgement_t *out) {
@@ -202,6 +259,7 @@ int trace_judge(const trace_t *t, const machine_t *m, trace_judgement_t *out) {
     if (!e) {
         judge_motion(t, m, out, knots);
         judge_lengths(t, m, out, knots);
+        judge_places(m, out, knots);
     }
     trace_knots_free(&knots[0]);
     trace_knots_free(&knots[1]);
@@ -213,8 +271,7 @@ int trace_judge(const trace_t *t, const machine_t *m, trace_judgement_t *out) {
     out->accel_ok = out->max_accel <= out->accel_limit + 4 * jitter / TRACE_WINDOW_S;
     out->speed_ok = out->max_speed_down <= m->draw_speed_um_s * 1e-3 * TRACE_SPEED_FACTOR + jitter &&
                     out->max_speed_up <= m->travel_speed_um_s * 1e-3 * TRACE_SPEED_FACTOR + jitter;
-    out->legal = out->accel_ok && out->speed_ok && out->ends_home && out->ends_up && out->ends_disabled &&
-                 !out->unsettled && !out->disabled && !out->short_pulses && !out->short_setups && !out->turned_high;
+    out->legal = trace_is_legal(out);
     return 0;
 }
 
@@ -234,6 +291,14 @@ void trace_print(const trace_judgement_t *j, const machine_t *m, FILE *f) {
                 "xy"[k], (unsigned long long)a -> steps, (long long)a -> min_steps, (long long)a -> max_steps,
                 (double)a -> min_interval_ps * 1e-6, a -> max_jump_mm_s);
     }
+    bool in_place = !j->axis[0].misplaced && !j->axis[1].misplaced;
+    finding(f, in_place, "steps in place  ");
+    fprintf(f, in_place ? "all, as their neighbours have it\n" : "not all:");
+    for (int k = 0; k < 2; k++)
+        if (j->axis[k].misplaced)
+            fprintf(f, " %c %lu places, the first at %.6f s by %.3f ms;", "xy"[k], j -> axis[k].misplaced,
+                    j->axis[k].misplaced_at_s, j->axis[k].misplaced_s * 1e3);
+    if (!in_place) fprintf(f, "\n");
     finding(f, j->ends_home, "end position    ");
     fprintf(f, "%lld %lld steps%s\n", (long long)j->axis[0].end_steps, (long long)j->axis[1].end_steps,
             j->ends_home ? ": home" : ", not home");
@@ -253,6 +318,11 @@ void trace_print(const trace_judgement_t *j, const machine_t *m, FILE *f) {
     finding(f, !j->unsettled, "pen settling    ");
     fprintf(f, "%.6f s after lifting (at least %.6f), %.6f s after lowering (%.6f), %lu steps too early\n",
             j->settle_lift_s, m->lift_us * 1e-6, j->settle_lower_s, m->lower_us * 1e-6, j->unsettled);
+    finding(f, !j->unchanged, "pen changes     ");
+    if (j->unchanged)
+        fprintf(f, "%lu missing, at the stop of its length at %.6f s first\n", j->unchanged, j->unchanged_at_s);
+    else
+        fprintf(f, "none is missing\n");
     finding(f, !j->disabled, "motors off      ");
     fprintf(f, "%lu steps\n", j->disabled);
     finding(f, j->speed_ok, "speed           ");

@@ -3,6 +3,7 @@
 #include "host/trace_compare.c"
 #include "host/trace_judge.c"
 #include "host/trace_path.c"
+#include "host/trace_place.c"
 #include "host/trace_read.c"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);

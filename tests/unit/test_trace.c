@@ -74,6 +74,66 @@ static void test_each_fault(void **state) {
     assert_true(judged(HEAD).legal);
 }
 
+/* When the n-th of 1000 steps of 0.0125 mm is made, s after the start: up to 100 mm/s at 1000 mm/s^2 and down again. */
+static double step_time(int n) {
+    double s = (n + 0.5) * 0.0125, most = 12.5, ramp = 5;
+    if (s < ramp) return sqrt(2 * s / 1000);
+    if (s > most - ramp) return 0.1 + (most - 2 * ramp) / 100 + 0.1 - sqrt(2 * (most - s) / 1000);
+    return 0.1 + (s - ramp) / 100;
+}
+
+static int by_time(const void *a, const void *b) {
+    const double *x = a, *y = b;
+    return (*x > *y) - (*x < *y);
+}
+
+/* 1000 steps to the right and back; of those to the right one comes late by so much (or early). */
+static trace_judgement_t there_and_back(int displaced, double late_s) {
+    static char text[100000];
+    double at[1000];
+    int used = snprintf(text, sizeof text, HEAD "#1000 1f #2000 1b ");
+    for (int way = 0; way < 2; way++) {
+        for (int n = 0; n < 1000; n++) at[n] = step_time(n) + (way == 0 && n == displaced ? late_s : 0);
+        qsort(at, 1000, sizeof *at, by_time);
+        for (int n = 1; n < 1000; n++) at[n] = fmax(at[n], at[n - 1] + 4e-6); /* pulses do not overlap */
+        if (way == 1) used += snprintf(text + used, sizeof text - (size_t)used, "#400000 0b ");
+        for (int n = 0; n < 1000; n++) {
+            long us = lrint(at[n] * 1e6) + (way ? 500000 : 10000);
+            used += snprintf(text + used, sizeof text - (size_t)used, "#%ld 1a #%ld 0a ", us, us + 2);
+        }
+    }
+    snprintf(text + used, sizeof text - (size_t)used, "#900000 0f");
+    return judged(text);
+}
+
+static void test_steps_out_of_place(void **state) {
+    (void)state;
+    assert_true(there_and_back(-1, 0).legal);
+    int tried = 0, found = 0;
+    for (int n = 20; n < 980; n += 7) {
+        for (int late = -600; late <= 600; late += 100) {
+            if (abs(late) < 300) continue;
+            trace_judgement_t j = there_and_back(n, late * 1e-6);
+            double at = step_time(n) + 0.01;
+            tried++;
+            found += !j.legal && j.axis[0].misplaced && fabs(j.axis[0].misplaced_at_s - at) < 0.003;
+        }
+    }
+    printf("# %d of %d single steps displaced by 0.3 to 0.6 ms are found\n", found, tried);
+    assert_true(found == tried);
+}
+
+static void test_pen_changes_that_are_missing(void **state) {
+    (void)state;
+    assert_true(judged(HEAD FORTH "#20000 1e #125000 1a #125002 0a #130000 0e #235000 0b #240000 1a #240002 0a "
+                                  "#250000 1a #250002 0a #500000 0f")
+                    .legal);
+    /* forth, lifted with nothing to see, back, lowered, forth */
+    trace_judgement_t j = judged(HEAD FORTH "#15000 1e #120000 1a #120002 0a #225000 0b #230000 1a #230002 0a "
+                                            "#335000 1a #335002 0a #336000 0e #500000 0f");
+    assert_true(!j.legal && j.unchanged == 1 && fabs(j.unchanged_at_s - 0.12) < 1e-9);
+}
+
 /* Steps at a steady 200 mm/s from the first on: too fast, and no acceleration is enough. */
 static void test_speed_and_acceleration(void **state) {
     (void)state;
@@ -233,6 +293,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_legal),
         cmocka_unit_test(test_each_fault),
+        cmocka_unit_test(test_steps_out_of_place),
+        cmocka_unit_test(test_pen_changes_that_are_missing),
         cmocka_unit_test(test_speed_and_acceleration),
         cmocka_unit_test(test_compare),
         cmocka_unit_test(test_ink),
