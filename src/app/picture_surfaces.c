@@ -51,6 +51,7 @@ static int add_surface(picture_t *p, const surface_t *s) {
     lend(p, s);
     int err = grid_measure(g, s, z->auto_lo ? NULL : &z->lo, z->auto_hi ? NULL : &z->hi, cache, measure_tick, p);
     if (err) return err;
+    g->to_limits = p->plot->settings->hidden == HIDDEN_NONE;
     p->spaces++;
     return 0;
 }

@@ -18,6 +18,44 @@ static bool edge_is_defined(grid_t *g, uint8_t family, int32_t line, int32_t at)
     return is_defined(g, family, line, at) && is_defined(g, family, line, at + 1);
 }
 
+/* The part of the edge from point `at` on that is drawn. Of one with a point beyond the limits of heights it is that up
+ * to the limit; none of one with two, as gnuplot has it: through a pole no line is drawn. */
+static bool edge_part(grid_t *g, const ink_piece_t *line, int32_t at, int64_t *from_q30, int64_t *to_q30) {
+    bool row = line->family == INK_ROW, a_in = is_defined(g, line->family, line->line, at),
+         b_in = is_defined(g, line->family, line->line, at + 1);
+    const int32_t a[2] = {row ? at : line->line, row ? line->line : at}, b[2] = {a[0] + row, a[1] + !row};
+    *from_q30 = at * INK_ONE;
+    *to_q30 = *from_q30 + INK_ONE;
+    if (a_in && b_in) return true;
+    num_t limit;
+    int32_t s_q30;
+    if (a_in == b_in || !grid_edge_limit(g, a_in ? a : b, a_in ? b : a, &limit, &s_q30)) return false;
+    if (a_in)
+        *to_q30 = *from_q30 + s_q30;
+    else
+        *from_q30 = *to_q30 - s_q30;
+    return s_q30 > 0;
+}
+
+/* One line that goes on to the limits which it crosses. */
+static int draw_to_limits(grid_t *g, const ink_piece_t *line, int32_t points, const ink_sink_t *sink) {
+    ink_piece_t p = *line;
+    int64_t from, to;
+    p.from_q30 = p.to_q30 = 0; /* the run under way; none if equal */
+    for (int32_t k = 0; k < points - 1; k++) {
+        if (!edge_part(g, line, k, &from, &to)) continue;
+        if (from == p.to_q30 && p.from_q30 < p.to_q30) {
+            p.to_q30 = to;
+            continue;
+        }
+        int err = p.from_q30 < p.to_q30 ? sink->piece(sink->ctx, &p) : 0;
+        if (err) return err;
+        p.from_q30 = from;
+        p.to_q30 = to;
+    }
+    return p.from_q30 < p.to_q30 ? sink->piece(sink->ctx, &p) : 0;
+}
+
 /* One line with holes: the runs of edges that exist. */
 static int draw_interrupted(grid_t *g, const ink_piece_t *line, int32_t points, bool facets, const ink_sink_t *sink) {
     int32_t start = -1;
@@ -39,7 +77,10 @@ int plain_draw(grid_t *g, uint8_t family, bool facets, uint8_t surface, const in
     int32_t lines = family == INK_ROW ? g->ny : g->nx, points = family == INK_ROW ? g->nx : g->ny;
     for (int32_t k = 0; k < lines; k++) {
         ink_piece_t line = {.family = family, .surface = surface, .line = k};
-        int err = g->holes ? draw_interrupted(g, &line, points, facets, sink) : emit(sink, &line, 0, points - 1);
+        int err = !g->holes ? emit(sink, &line, 0, points - 1)
+                  : g->to_limits && !facets && (g->below || g->above)
+                      ? draw_to_limits(g, &line, points, sink)
+                      : draw_interrupted(g, &line, points, facets, sink);
         if (err) return err;
     }
     return 0;

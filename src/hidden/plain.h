@@ -1,7 +1,8 @@
 /* plain.h - no hidden-line removal: every line of a grid, whole (`unset hidden3d`, and views from straight above or
  * below, where a graph of a function hides nothing).
  *
- * Lines are interrupted at undefined points. Cost: one look at each point for each family drawn. */
+ * Lines are interrupted at undefined points, and end where they cross a limit of heights (grid.h). Cost: one look at
+ * each point for each family drawn. */
 #ifndef PLAIN_H
 #define PLAIN_H
 

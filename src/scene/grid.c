@@ -44,13 +44,19 @@ static inline int64_t units(int64_t d, int32_t e, int32_t exp) {
     return d >> (shift < 63 ? shift : 63);
 }
 
-static num_t evaluate(grid_t *g, int32_t i, int32_t j) {
+/* The height at a point, whatever the limits. */
+static num_t raw(grid_t *g, int32_t i, int32_t j) {
     g->evaluated++;
-    num_t z = g->src->z_of(g->src->ctx, i, j);
-    if (z.undef || (g->has_lo && num_cmp(z, g->z_lo) < 0) || (g->has_hi && num_cmp(z, g->z_hi) > 0)) {
-        return num_undef();
-    }
-    return z;
+    return g->src->z_of(g->src->ctx, i, j);
+}
+
+static num_t evaluate(grid_t *g, int32_t i, int32_t j) {
+    num_t z = raw(g, i, j);
+    if (z.undef) return z;
+    bool below = g->has_lo && num_cmp(z, g->z_lo) < 0, above = g->has_hi && num_cmp(z, g->z_hi) > 0;
+    g->below |= below;
+    g->above |= above;
+    return below || above ? num_undef() : z;
 }
 
 static void coarsen(int32_t *cache, int64_t count, int32_t by) {
@@ -157,4 +163,14 @@ bool grid_is_tall(const grid_t *g) {
 bool grid_value(grid_t *g, int32_t i, int32_t j, num_t *z) {
     *z = evaluate(g, i, j);
     return !z->undef;
+}
+
+bool grid_edge_limit(grid_t *g, const int32_t inside[2], const int32_t outside[2], num_t *limit, int32_t *s_q30) {
+    num_t z = raw(g, inside[0], inside[1]), far = raw(g, outside[0], outside[1]);
+    if (z.undef || far.undef) return false;
+    bool low = g->has_lo && num_cmp(far, g->z_lo) < 0;
+    *limit = low ? g->z_lo : g->z_hi;
+    int64_t s = num_to_fixed(num_div(num_sub(*limit, z), num_sub(far, z)), 30, NULL);
+    *s_q30 = s < 0 ? 0 : s > 1 << 30 ? 1 << 30 : (int32_t)s;
+    return true;
 }

@@ -19,6 +19,8 @@ typedef struct grid {
     num_t z_origin;      /* the first defined point, counting along rows from (0, 0) */
     int16_t z_exp;       /* see above */
     bool has_lo, has_hi; /* is there a `set zrange` limit */
+    bool below, above;   /* is any point beyond it? Such points are holes */
+    bool to_limits;      /* the owner's: lines are drawn up to the limits that they cross (grid_edge_limit) */
     num_t z_lo, z_hi;
     int64_t holes;     /* undefined points */
     int64_t evaluated; /* points evaluated so far: the cost of a small memory shows here */
@@ -40,5 +42,9 @@ bool grid_height(grid_t *g, int32_t i, int32_t j, int32_t *zi);
 bool grid_is_tall(const grid_t *g);
 /* One height as it is, evaluated again; false at a hole. */
 bool grid_value(grid_t *g, int32_t i, int32_t j, num_t *z);
+
+/* The straight edge from a point (column, row) within the limits of heights to one beyond them: which limit it meets,
+ * and at which fraction of its length. False if the far point is undefined. Both points are evaluated. */
+bool grid_edge_limit(grid_t *g, const int32_t inside[2], const int32_t outside[2], num_t *limit, int32_t *s_q30);
 
 #endif

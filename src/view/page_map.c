@@ -69,15 +69,31 @@ static inline bool vertex_h(page_map_t *m, int32_t i, int32_t j, page_h_t *h) {
     return true;
 }
 
+/* A line ends where it meets a limit of heights: the limit itself is the height there. a_in: the first point of the
+ * edge is within the limits. */
+static bool limit_h(page_map_t *m, const int32_t a[2], const int32_t b[2], bool a_in, int32_t s_q30, page_h_t *h) {
+    num_t z;
+    int32_t at_q30;
+    if (!m->grid->to_limits || !grid_edge_limit(m->grid, a_in ? a : b, a_in ? b : a, &z, &at_q30)) return false;
+    page_h_t from = base_h(m, a[0], a[1]), to = base_h(m, b[0], b[1]), share = value_share(m, z);
+    page_h_t base = line_space_mix(&from, &to, s_q30);
+    *h = (page_h_t){base.x + share.x, base.y + share.y, base.e + share.e};
+    return true;
+}
+
 static bool lines_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, page_h_t *h) {
     page_map_t *m = ctx;
     int32_t at = (int32_t)(t_q30 >> 30), s = (int32_t)(t_q30 & (INK_ONE - 1));
     bool row = family == INK_ROW;
     int32_t i = row ? at : line, j = row ? line : at;
-    if (!vertex_h(m, i, j, h)) return false;
-    if (s == 0) return true;
+    bool a_in = vertex_h(m, i, j, h);
+    if (s == 0) return a_in;
     page_h_t next;
-    if (!vertex_h(m, i + row, j + !row, &next)) return false;
+    bool b_in = vertex_h(m, i + row, j + !row, &next);
+    if (!a_in || !b_in) {
+        const int32_t a[2] = {i, j}, b[2] = {i + row, j + !row};
+        return a_in != b_in && limit_h(m, a, b, a_in, s, h);
+    }
     *h = line_space_mix(h, &next, s);
     return true;
 }
@@ -107,8 +123,10 @@ int page_map_setup(page_map_t *m, grid_t *g, const camera_t *cam, void *memory) 
     *m = (page_map_t){.grid = g, .cam = cam, .tall = cam->perspective && grid_is_tall(g)};
     m->lines = (line_space_t){.ctx = m, .at = lines_at};
     const surface_t *src = g->src;
-    const num_t lo[3] = {src->x_of(src->ctx, 0), src->y_of(src->ctx, 0), g->z_min};
-    const num_t hi[3] = {src->x_of(src->ctx, g->nx - 1), src->y_of(src->ctx, g->ny - 1), g->z_max};
+    const num_t z_lo = g->to_limits && g->below ? g->z_lo : g->z_min,
+                z_hi = g->to_limits && g->above ? g->z_hi : g->z_max;
+    const num_t lo[3] = {src->x_of(src->ctx, 0), src->y_of(src->ctx, 0), z_lo};
+    const num_t hi[3] = {src->x_of(src->ctx, g->nx - 1), src->y_of(src->ctx, g->ny - 1), z_hi};
     int err = camera_scale(cam, lo, hi, &m->lines);
     if (err) return err;
     if (cam->perspective) m->lines.exact = exact_at;

@@ -53,6 +53,15 @@ runs_are_the_same() {
     cmp a.vcd b.vcd
 }
 
+lines_end_on_the_limit_they_cross() {
+    printf 'unset hidden3d\nset view 90,0\nset zrange [.2:.8]\nset xrange [-2:2]\nset yrange [-2:2]\n' >z.gp
+    printf 'set isosamples 20\nset samples 21\nsplot exp(-x**2-y**2)\n' >>z.gp
+    ridgeline plot z.gp -o z.seg
+    # Seen from the side the limits are two heights of the page.
+    awk 'NR > 1 { for (i = 2; i <= 4; i += 2) { n[$i]++; if (low == "" || $i < low) low = $i; if ($i > high) high = $i } }
+         END { exit !(n[low] >= 40 && n[high] >= 16) }' z.seg
+}
+
 pages_are_numbered() {
     printf 'set isosamples 8\nsplot x*y\nsplot x+y\nreplot\n' >three.gp
     ridgeline plot three.gp -o a.svg -o b.seg >out 2>err
@@ -206,7 +215,7 @@ no_progress_off_a_terminal() {
     [ ! -s err ]
 }
 
-run_tests every_suffix_is_written a_scene_behind_the_eye_is_told data_that_is_no_data_is_named what_the_machine_cannot_reach_leaves_no_trace a_byte_order_mark_is_skipped what_is_no_scene_is_bad_input seg_is_what_the_format_says runs_are_the_same pages_are_numbered scene_from_stdin \
+run_tests every_suffix_is_written a_scene_behind_the_eye_is_told data_that_is_no_data_is_named what_the_machine_cannot_reach_leaves_no_trace a_byte_order_mark_is_skipped what_is_no_scene_is_bad_input seg_is_what_the_format_says runs_are_the_same lines_end_on_the_limit_they_cross pages_are_numbered scene_from_stdin \
     continued_lines_comments_and_several_commands set_runs_before_the_scene stats_tell_every_page a_table_when_asked \
     print_goes_to_stdout data_beside_the_scene_is_found inline_data an_error_shows_line_column_and_caret \
     bad_input_draws_nothing_and_says_2 a_known_but_ignored_option_is_warned_of_once bad_options_get_a_hint \

@@ -115,10 +115,41 @@ static void test_degenerate(void **state) {
     check(NULL, NULL, -INFINITY, INFINITY);
 }
 
+/* Edges that leave the limits meet them where the straight line does. */
+static void test_limits_are_met(void **state) {
+    (void)state;
+    grid_t g;
+    num_t limit[2] = {num_of(-1), num_of(2)}, z;
+    int32_t s_q30;
+    double worst = 0;
+    for (int round = 0; round < 300; round++) {
+        for (int j = 0; j < NY; j++) {
+            for (int i = 0; i < NX; i++) heights[j][i] = (uniform() - 0.4) * pow(10, round % 12);
+        }
+        heights[0][0] = 0;
+        heights[1][0] = NAN;
+        assert_int_equal(grid_measure(&g, &src, &limit[0], &limit[1], NULL, NULL, NULL), 0);
+        for (int i = 0; i + 1 < NX; i++) {
+            const int32_t a[2] = {i, 0}, b[2] = {i + 1, 0};
+            double from = heights[0][i], to = heights[0][i + 1];
+            if (from < -1 || from > 2 || (to >= -1 && to <= 2)) continue;
+            assert_true(to < -1 ? g.below : g.above);
+            assert_true(grid_edge_limit(&g, a, b, &z, &s_q30));
+            double met = to < -1 ? -1 : 2;
+            assert_true(num_cmp(z, num_of(met)) == 0);
+            worst = fmax(worst, fabs(ldexp(s_q30, -30) - (met - from) / (to - from)));
+        }
+    }
+    assert_false(grid_edge_limit(&g, (const int32_t[]){0, 0}, (const int32_t[]){0, 1}, &z, &s_q30));
+    printf("# grid: where limits are met, to %.1e of an edge\n", worst);
+    assert_true(worst < 0x1p-29);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_ranges),
         cmocka_unit_test(test_degenerate),
+        cmocka_unit_test(test_limits_are_met),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
