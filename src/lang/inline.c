@@ -1,7 +1,12 @@
 /* inline.c - one call after the other, from the left, so that arguments contain no more calls. See inline.h. */
 #include "lang/inline.h"
 #include "lang/code.h"
+#include "lang/hoist.h"
 #include "lang/parts.h"
+
+/* Values kept in all: with those that hoist.c adds they are numbered by a byte. */
+#define KEPT_MAX 100
+_Static_assert(EXPR_PARAMS + HOIST_MAX + KEPT_MAX + EXPR_PARAMS < 256, "slots are bytes");
 
 typedef struct argument {
     const uint8_t *code;
@@ -136,7 +141,7 @@ bool inline_calls(const lang_t *l, expr_t *x, uint8_t *buf) {
         uint8_t kept = buf[0] == OP_FRAME ? buf[1] : 0, slot = (uint8_t)(x->params + kept);
         size_t head = buf[0] == OP_FRAME ? 2 : 0, old = w.len;
         uint32_t need = (uint32_t)stack + c.function->u.code.stack + EXPR_PARAMS;
-        if (need > CONFIG_STACK || !count_uses(l, &c, slot)) return false;
+        if (need > CONFIG_STACK || !count_uses(l, &c, slot) || kept + c.slots > KEPT_MAX) return false;
         stack = (uint16_t)need;
         w = (writer_t){next, 0};
         if (kept + c.slots) put2(&w, OP_FRAME, kept + c.slots);

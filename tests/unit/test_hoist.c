@@ -158,6 +158,20 @@ static void what_is_not_straight_stays_whole(void **state) {
                 -1);
 }
 
+/* Calls by the dozen, whose values kept run out at some number. */
+static void many_calls(void **state) {
+    (void)state;
+    define("two(t) = 2*t*t*t + (t+1)*(t+1)");
+    define("pair(s,t) = s*t + s - t");
+    for (int n = 1; n < 80; n += 3) {
+        char text[4000], *to = text;
+        for (int k = 0; k < n; k++) {
+            to += sprintf(to, k % 2 ? "+two(x*y+%d)" : "+pair(two(x)+%d,two(y)*x)", k);
+        }
+        assert_same(text + 1, -1, -1);
+    }
+}
+
 /* Random expressions of a small grammar, deep enough for shared parts. */
 static uint32_t seed = 1;
 static uint32_t pick(uint32_t n) {
@@ -217,6 +231,7 @@ int main(void) {
         cmocka_unit_test_setup(undefined_parts_are_holes, setup),
         cmocka_unit_test_setup(errors_are_told, setup),
         cmocka_unit_test_setup(what_is_not_straight_stays_whole, setup),
+        cmocka_unit_test_setup(many_calls, setup),
         cmocka_unit_test_setup(random_ones, setup),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
