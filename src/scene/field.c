@@ -68,6 +68,18 @@ static void digit(field_t *f, char c, bool fraction) {
     }
 }
 
+/* The digits from p on of a number that is in its whole part or fraction, which are most of what there is to read:
+ * as many as change the mantissa. Returns where they end. */
+static const char *digits(field_t *f, const char *p, const char *end) {
+    const char *start = p;
+    uint64_t mantissa = f->mantissa;
+    while (p < end && is_digit(*p) && mantissa <= MANTISSA_ROOM) mantissa = mantissa * 10 + (uint64_t)(*p++ - '0');
+    f->mantissa = mantissa;
+    f->at += (int32_t)(p - start);
+    if (f->state == FRACTION) f->exp10 -= (int32_t)(p - start);
+    return p;
+}
+
 static void word(field_t *f, char c) {
     bool after_number = f->state >= ZERO && f->state != WORD;
     f->kind = FIELD_TEXT;
@@ -248,6 +260,8 @@ static enum field_event end_of_line(field_t *f, bool *again) {
 enum field_event field_next(field_t *f, const char **p, const char *end) {
     if (f->state == AT_START && f->at < 0) new_line(f); /* the line whose end was reported last time */
     while (*p < end) {
+        if ((f->state == WHOLE || f->state == FRACTION) && !f->trailing) *p = digits(f, *p, end);
+        if (*p == end) break;
         char c = **p;
         if (c == '\n') {
             bool again;
