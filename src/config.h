@@ -81,8 +81,8 @@ _Static_assert(CONFIG_DATA_COLUMNS < 64, "data_reader keeps one bit per column i
 #define CONFIG_NESTING 64
 #endif
 
-/* Operations of a straight expression that is taken apart for a grid, calls of functions replaced by what they say: while
- * that is done 6 bytes of the machine's stack each, and 8 of the memory that is lent. */
+/* Operations of a straight expression that is taken apart for a grid, calls of functions replaced by what they say:
+ * while that is done 6 bytes of the machine's stack each, and 8 of the memory that is lent. */
 #ifndef CONFIG_PARTS
 #define CONFIG_PARTS (CONFIG_STACK < 64 ? 64 : CONFIG_STACK)
 #endif
