@@ -160,7 +160,8 @@ size_t hoist_init(lang_t *lang, const expr_t *x, bool pure, int32_t columns, voi
     hoist_t *h = mem;
     expr_t flat = *x;
     size_t used = sizeof *h;
-    if (pure && inline_is_call(x) && bytes >= INLINE_WORTH && inline_calls(lang, &flat, (uint8_t *)mem + used))
+    if (INLINE_CALLS && pure && inline_is_call(x) && bytes >= INLINE_WORTH &&
+        inline_calls(lang, &flat, (uint8_t *)mem + used))
         used += (flat.len + 7u) / 8 * 8;
     plan_t p = {.code = flat.code};
     bool apart = pure && parts_find(flat.code, true, &p.parts) && find_moved(&p) && p.n > 0 &&

@@ -12,6 +12,9 @@
 
 #define INLINE_CODE_MAX ((size_t)4 * CONFIG_PARTS) /* bytes of code; what would be longer is left as it is */
 
+/* A part with a smaller stack never lends as much as it takes, and saves the flash. */
+#define INLINE_CALLS (CONFIG_STACK >= 64)
+
 static inline bool inline_is_call(const expr_t *x) {
     for (const uint8_t *p = x->code; p < x->code + x->len; p += 1 + code_operands(*p)) {
         if (*p == OP_CALL) return true;
