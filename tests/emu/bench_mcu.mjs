@@ -13,7 +13,7 @@ import { join } from 'node:path';
 const build = process.argv[2];
 const tmp = mkdtempSync(join(tmpdir(), 'bench-mcu-'));
 const sizes = (name, usual) => (process.env[name] ?? usual).split(' ').filter(Boolean).map(Number);
-const SMOOTH = sizes('SIZES', '20 60 100 200'), RANDOM = sizes('RANDOM', '20 60');
+const SMOOTH = sizes('SIZES', '20 60 100 200'), RANDOM = sizes('RANDOM', '20 60 100');
 const FUNCTION = { smooth: 'exp(-x**2-y**2)', random: 'rand(0)' };
 const PICO_HZ = 125e6, FAST_HZ = 133e6;
 

@@ -15,7 +15,7 @@ const PHASES = {
   view: ['picture_camera', 'page_map_setup', 'solid_map_setup'],
   hide: ['perimeter_draw_several', 'plain_draw', 'horizon_draw', 'convex_draw', 'halo_ink_draw'],
   evaluate: ['expr_run'],
-  ink: ['join_piece', 'path_finish', 'path_begin'],
+  ink: ['join_piece', 'path_finish', 'path_advance'],
   motion: ['pen_move', 'pen_draw', 'carriage_begin', 'carriage_end'],
 };
 
