@@ -52,18 +52,23 @@ uint32_t hal_now(void);
  * (none, or at least 2), up to which tick, and where to put them; hal_edges_put() hands them over, with the ticks of
  * the first and the last. They follow those put before. Context: stepgen_isr. */
 typedef struct hal_edges {
-    uint32_t *word; /* hal_edge(all pins, ticks since the edge before); those of the first are put in by the port */
+    uint32_t *word; /* hal_edge(all pins, ticks since the edge before); the ticks of the first are put in by the port */
     uint32_t room;
     uint32_t until;
 } hal_edges_t;
 #define HAL_EDGE_GAP 3 /* ticks from one to the next, at least */
 #define HAL_EDGE_PINS 0x3fu
-#define HAL_EDGE_SHIFT 6
+/* Ticks less the gap, above the pins: what a state machine of the RP2040 counts down. */
 static inline uint32_t hal_edge(uint32_t pins, uint32_t ticks) {
-    return ticks << HAL_EDGE_SHIFT | pins;
+    return (ticks - HAL_EDGE_GAP) << 6 | pins;
+}
+static inline uint32_t hal_edge_ticks(uint32_t word) {
+    return (word >> 6) + HAL_EDGE_GAP;
 }
 hal_edges_t hal_edges(void);
 void hal_edges_put(uint32_t edges, uint32_t first_at, uint32_t last_at);
+/* True when all that were put have left. Context: main loop. */
+bool hal_edges_left(void);
 
 /* Calls stepgen_isr() at absolute tick `at`; a tick in the past is served at once and counted as late. */
 void hal_timer_arm(uint32_t at);

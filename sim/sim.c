@@ -90,6 +90,10 @@ void hal_edges_put(uint32_t edges, uint32_t first_at, uint32_t last_at) {
     s.first = s.tick + (first_at - hal_now());
 }
 
+bool hal_edges_left(void) {
+    return true;
+}
+
 uint32_t hal_now(void) {
     return (uint32_t)s.tick + s.offset;
 }
@@ -111,7 +115,7 @@ void hal_timer_cancel(void) {
 static void play_edges(void) {
     if (s.edges) s.tick = s.first;
     for (uint32_t i = 0; i < s.edges; i++) {
-        if (i) s.tick += s.edge[i] >> HAL_EDGE_SHIFT;
+        if (i) s.tick += hal_edge_ticks(s.edge[i]);
         hal_pins_write(HAL_EDGE_PINS, s.edge[i]);
     }
     s.edges = 0;

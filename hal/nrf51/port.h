@@ -17,7 +17,7 @@
 #define AHEAD_ENTRY 80
 #define AHEAD_SOON 176
 #define AHEAD_AFTER 80
-#define AHEAD_SLACK 40
+#define AHEAD_SLACK 96
 
 #define PORT_ALL_PINS 0x3fu
 #define PORT_INVERT 0u /* high is active: a chip in reset drives nothing, and pull-downs leave motors off, pen up */
@@ -61,12 +61,13 @@ static inline void port_until(uint32_t raw) {
     while ((int32_t)(port_now() - raw) < 0) continue;
 }
 
-/* The new compare value before the old event is cleared: in 32-bit mode QEMU would raise it again at once. An event in
- * between is not missed: what is near does not come here. */
+/* The new compare value before the old event is cleared: in 32-bit mode QEMU would raise it again at once. One that
+ * came in between would be lost, and the next only after nine minutes. */
 static inline void port_alarm(uint32_t at) {
-    const uint32_t count = TIMER0_CC1;
-    TIMER0_CC0 = count + ((uint32_t)((int32_t)(at - count * 2) >> 1));
+    const uint32_t last = TIMER0_CC1, count = last + (uint32_t)((int32_t)(at - last * 2) >> 1);
+    TIMER0_CC0 = count;
     TIMER0_COMPARE0 = 0;
+    if ((int32_t)(count - port_count()) < 2) irq_pend(PORT_IRQ_TIMER);
 }
 
 typedef struct port_word {

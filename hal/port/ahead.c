@@ -40,10 +40,16 @@ hal_edges_t hal_edges(void) {
     return (hal_edges_t){&ahead.ring[SLOT(ahead.head)], room(), horizon};
 }
 
+/* The last may be under way although the ring is empty. */
+bool hal_edges_left(void) {
+    return ahead.head == ahead.tail && ahead.newest + ahead.skew - locked_now() - 1 > 2 * AHEAD_WINDOW;
+}
+
 void hal_edges_put(uint32_t edges, uint32_t first_at, uint32_t last_at) {
     uint32_t *first = &ahead.ring[SLOT(ahead.head)];
     uint32_t state = irq_lock();
     if (!ahead.dropped) {
+        player_refresh();
         if (ahead.head == ahead.tail) ahead.newest = player_begin(first_at + ahead.skew) - ahead.skew;
         *first = hal_edge(*first & HAL_EDGE_PINS, first_at - ahead.newest);
         if (SLOT(ahead.head) + edges > AHEAD_EDGES) ahead.ring[0] = ahead.ring[AHEAD_EDGES];
@@ -100,16 +106,13 @@ static uint32_t wake_at(uint32_t now, bool full) {
     return holds > 0 ? now + (uint32_t)holds / 2 : now;
 }
 
+/* To the end of the window as it is at the beginning: following the clock, it would make edges one by one. */
 void ahead_plan_isr(void) {
-    uint32_t now = locked_now();
+    const uint32_t now = locked_now();
     bool full = false;
-    while (ahead.armed) {
+    while (ahead.armed && (int32_t)(ahead.plan + ahead.skew - now) < AHEAD_WINDOW) {
         full = room() < 2;
         if (full) break;
-        if ((int32_t)(ahead.plan + ahead.skew - now) >= AHEAD_WINDOW) {
-            now = locked_now();
-            if ((int32_t)(ahead.plan + ahead.skew - now) >= AHEAD_WINDOW) break;
-        }
         horizon = now + AHEAD_WINDOW - ahead.skew;
         ahead.armed = false;
         ahead.planning = true;

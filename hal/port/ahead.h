@@ -30,20 +30,23 @@
 #ifndef AHEAD_EDGES
 #define AHEAD_EDGES 64 /* in the ring, a power of two: 4 bytes each */
 #endif
+#ifndef AHEAD_ALIGN
+#define AHEAD_ALIGN 4 /* of the ring */
+#endif
 #ifndef AHEAD_BATCH
 #define AHEAD_BATCH (AHEAD_EDGES / 4) /* edges that are made in one go: a batch is played once it is complete */
 #endif
 #define AHEAD_WINDOW (500 * 16) /* ticks: nothing is planned earlier than this before its time */
 
 typedef struct ahead {
-    uint32_t ring[AHEAD_EDGES + 1]; /* a batch may begin in the last and need two */
-    volatile uint32_t head;         /* words put in: written by the planner */
-    volatile uint32_t tail;         /* words taken out: written by the player */
-    volatile bool armed;            /* there is a deadline: plan */
-    volatile bool planning;         /* stepgen_isr is running */
-    volatile bool dropped;          /* what it is planning came to nothing: it was interrupted by a halt */
-    uint32_t plan;                  /* the armed deadline, in planned time */
-    uint32_t newest;                /* when the newest edge leaves, in planned time */
+    _Alignas(AHEAD_ALIGN) uint32_t ring[AHEAD_EDGES + 1]; /* a batch may begin in the last and need two */
+    volatile uint32_t head;                               /* words put in: written by the planner */
+    volatile uint32_t tail;                               /* words taken out: written by the player */
+    volatile bool armed;                                  /* there is a deadline: plan */
+    volatile bool planning;                               /* stepgen_isr is running */
+    volatile bool dropped;  /* what it is planning came to nothing: it was interrupted by a halt */
+    uint32_t plan;          /* the armed deadline, in planned time */
+    uint32_t newest;        /* when the newest edge leaves, in planned time */
     volatile uint32_t skew; /* real time is planned time + skew: written by the player, and by the planner at rest */
     volatile uint32_t wake; /* when the planner wants to go on, in real time */
     uint32_t late, latest;
@@ -63,6 +66,8 @@ void player_isr(void);
 uint32_t player_begin(uint32_t at);
 /* There are more words, or ahead.wake has changed. Both: context planner. */
 void player_look(void);
+/* Brings ahead.tail up to date. Interrupts off. */
+void player_refresh(void);
 /* The ring was emptied: nothing more leaves. Interrupts off. */
 void player_cut(void);
 

@@ -51,6 +51,8 @@ void player_look(void) {
     irq_pend(PORT_IRQ_TIMER);
 }
 
+void player_refresh(void) {}
+
 void player_cut(void) {
     p.ready = false;
 }
@@ -60,6 +62,9 @@ static __attribute__((noinline)) void left_late(uint32_t late) {
     if (late > ahead.latest) ahead.latest = late;
     p.due += late;
     p.at += late;
+#ifdef AHEAD_PAIR
+    p.second_at += late;
+#endif
     ahead.skew += late;
 }
 
@@ -68,7 +73,7 @@ static inline void pair(void) {
 #ifdef AHEAD_PAIR
     const uint32_t tail = p.next, second = ahead.ring[SLOT(tail)];
     if (second >= hal_edge(0, AHEAD_PAIR) || tail == ahead.head) return;
-    p.second_at = p.due += second >> HAL_EDGE_SHIFT;
+    p.second_at = p.due += hal_edge_ticks(second);
     p.second = port_level(second & HAL_EDGE_PINS);
     p.next = tail + 1;
 #endif
@@ -87,7 +92,7 @@ static inline bool make_ready(uint32_t tail) {
     p.ready = tail != ahead.head;
     if (!p.ready) return false;
     const uint32_t word = ahead.ring[SLOT(tail)];
-    p.at = p.due += word >> HAL_EDGE_SHIFT;
+    p.at = p.due += hal_edge_ticks(word);
     p.level = port_level(word & HAL_EDGE_PINS);
     p.next = tail + 1;
 #ifdef AHEAD_PAIR

@@ -10,7 +10,7 @@ enum { PIN_TX = 0, PIN_RX = 1 };
 #define INPUT_EDGES                                                                                                    \
     (GPIO_EDGES(FIRST_INPUT) | GPIO_EDGES(FIRST_INPUT + 1) | GPIO_EDGES(FIRST_INPUT + 2) | GPIO_EDGES(FIRST_INPUT + 3))
 
-port_state_t port = {.invert = PORT_INVERT};
+port_state_t port = {.invert = PORT_INVERT, .inverted = PORT_ALL_PINS};
 
 void port_timer_isr(void) {
     TIMER_INTR = 2;
@@ -118,14 +118,15 @@ static void clock_start(void) {
 }
 
 void hal_start(void) {
-    /* IO_BANK0, PADS_BANK0, PWM, TIMER, UART0 */
-    const uint32_t need = 1u << 5 | 1u << 8 | 1u << 14 | 1u << 21 | 1u << 22;
+    /* DMA, IO_BANK0, PADS_BANK0, PIO0, PWM, TIMER, UART0 */
+    const uint32_t need = 1u << 2 | 1u << 5 | 1u << 8 | 1u << 10 | 1u << 14 | 1u << 21 | 1u << 22;
     REG(RESETS + CLR) = 1u << 5 | 1u << 8;
     while ((~REG(RESETS + 0x08u)) & (1u << 5 | 1u << 8)) continue;
     pins_start();
     clocks_start();
     REG(RESETS + CLR) = need;
     while (~REG(RESETS + 0x08u) & need) continue;
+    player_start();
     uart_start();
     clock_start();
     switches_start();
@@ -137,6 +138,7 @@ void hal_start(void) {
     irq_priority(PORT_IRQ_PEN, 3);
     irq_enable(PORT_IRQ_WAKE);
     irq_enable(PORT_IRQ_TIMER);
+    irq_enable(PORT_IRQ_DMA);
     irq_enable(PORT_IRQ_SWITCHES);
     irq_enable(PORT_IRQ_UART);
 }

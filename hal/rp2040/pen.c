@@ -65,7 +65,7 @@ void port_wire(const hal_wiring_t *w) {
     p.pulled = 0;
     PWM_CSR(PEN_SLICE) = 0;
     if (p.kind == HAL_PEN_LEVEL) {
-        GPIO_CTRL(PEN_PIN) = FUNC_SIO;
+        GPIO_CTRL(PEN_PIN) = FUNC_PIO0 | (port.invert & HAL_PEN ? OUT_INVERTED : 0);
     } else {
         PWM_DIV(PEN_SLICE) = (is_servo ? 125u : 1u) << 4;
         PWM_TOP(PEN_SLICE) = is_servo ? SERVO_TOP : SOLENOID_TOP;
@@ -76,5 +76,5 @@ void port_wire(const hal_wiring_t *w) {
         irq_enable(PORT_IRQ_PEN);
         TIMER_ALARM2 = TIMER_RAWL + TICK_US;
     }
-    SIO_OE_SET = PORT_ALL_PINS << FIRST_PIN;
+    player_drive();
 }

@@ -14,11 +14,9 @@
 #include "hal/port/pl011.h"
 #include "hal/rp2040/regs.h"
 
-#define AHEAD_EDGES 256
-#define AHEAD_ENTRY 40
-#define AHEAD_SOON 80
-#define AHEAD_AFTER 12
-#define AHEAD_SLACK 16
+#define AHEAD_EDGES 512
+#define AHEAD_ALIGN 2048 /* bytes: the DMA wraps there */
+#define AHEAD_BATCH 64
 
 #define PORT_ALL_PINS 0x3fu
 #define PORT_INVERT HAL_ENABLE /* /ENABLE, pulled up on the drivers: a chip in reset leaves them off */
@@ -34,35 +32,31 @@ enum {
     PORT_IRQ_WAKE = 0 /* TIMER alarm 0 */,
     PORT_IRQ_TIMER = 1,
     PORT_IRQ_PEN = 2,
+    PORT_IRQ_DMA = 11,
     PORT_IRQ_SWITCHES = 13,
     PORT_IRQ_UART = 20
 };
 
 void port_timer_isr(void);
 void port_wake_isr(void);
+void player_dma_isr(void);
+void player_start(void);
+void player_drive(void); /* from now on the pins are driven */
 void port_switches_isr(void);
 void port_pen_isr(void); /* pen.c, as the next two */
 void port_wire(const hal_wiring_t *wiring);
 void port_pen_up(void);
 
 typedef struct port_state {
-    uint16_t phase;  /* of the counter against TIMER */
-    uint32_t invert; /* pins that are active low */
+    uint16_t phase;    /* of the counter against TIMER */
+    uint32_t invert;   /* pins that are active low */
+    uint32_t inverted; /* as the pads have them */
 } port_state_t;
 extern port_state_t port;
 
 static inline uint32_t port_now(void) {
     uint32_t coarse = TIMER_RAWL * 16;
     return coarse + (uint32_t)(int16_t)(uint16_t)(PWM_CTR(CLOCK_SLICE) - port.phase - coarse);
-}
-
-/* The counter then. */
-static inline uint32_t port_raw(uint32_t at) {
-    return (at + port.phase) << 16;
-}
-
-static inline void port_until(uint32_t raw) {
-    while ((int32_t)((PWM_CTR(CLOCK_SLICE) << 16) - raw) < 0) continue;
 }
 
 /* Two microseconds ahead at least: an alarm that has gone by while it is written would come in an hour. Sooner, the
@@ -80,23 +74,14 @@ typedef struct port_word {
 } port_word_t;
 
 static inline port_word_t port_word(uint32_t mask, uint32_t value) {
-    return (port_word_t){mask << FIRST_PIN, (value ^ port.invert) << FIRST_PIN};
+    return (port_word_t){mask, value};
 }
 
-static inline void port_write(port_word_t word) {
-    SIO_OUT_XOR = (SIO_OUT ^ word.value) & word.mask;
-}
-
-static inline uint32_t port_level(uint32_t pins) {
-    return (pins ^ port.invert) << FIRST_PIN;
-}
-
-static inline void port_put(uint32_t level) {
-    SIO_OUT_XOR = (SIO_OUT ^ level) & (PORT_ALL_PINS << FIRST_PIN);
-}
+/* By hand: stops the state machine that plays edges (see player.c), and lets the other write the pins. */
+void port_write(port_word_t word);
 
 static inline uint32_t port_pins(void) {
-    return SIO_OUT >> FIRST_PIN & PORT_ALL_PINS;
+    return (PIO_PADOUT >> FIRST_PIN & PORT_ALL_PINS) ^ port.inverted;
 }
 
 static inline uint32_t port_inputs(void) {

@@ -127,13 +127,14 @@ static int apply(session_t *s, lexer_t *lx, machine_t *m, const option_t *o) {
     }
 }
 
-/* A board whose interrupt comes late makes every step, but later: what it cannot keep is refused. */
+/* A board that cannot keep up makes every step, but later: what it cannot keep is refused. It is limited by the steps
+ * of both motors together. */
 static int check_rate(session_t *s, const machine_t *m, int32_t column) {
     if (CONFIG_STEP_RATE == 0) return 0;
     uint32_t speed = m->draw_speed_um_s > m->travel_speed_um_s ? m->draw_speed_um_s : m->travel_speed_um_s;
     uint32_t fine = m->steps_per_mm_q16[0] > m->steps_per_mm_q16[1] ? m->steps_per_mm_q16[0] : m->steps_per_mm_q16[1];
     uint64_t um_s = ((uint64_t)CONFIG_STEP_RATE * 1000 << 16) / fine;
-    if (m->kinematics == MACHINE_COREXY) um_s = um_s * 7071 / 10000; /* a motor goes x + y */
+    if (m->kinematics == MACHINE_CARTESIAN) um_s = um_s * 1414 / 1000; /* both motors do that only when it goes askew */
     if (speed <= um_s) return 0;
     return lang_error_set_number(&s->error, ERR_MACHINE, column,
                                  "too fast for this board at these steps per mm; most mm/s", (int32_t)(um_s / 1000));

@@ -35,7 +35,7 @@ static bool machine_ok(const machine_t *mc) {
     for (int i = 0; i < 2; i++) {
         if (mc->steps_per_mm_q16[i] < 4096) return false;
         uint64_t steps_s = (fastest * mc->steps_per_mm_q16[i] >> 16) / 1000;
-        if (steps_s * 2 * min_gap_ticks(mc) > HAL_TICK_HZ) return false;
+        if (steps_s * min_gap_ticks(mc) / 8 * 9 > HAL_TICK_HZ) return false; /* one that was put off must catch up */
     }
     return true;
 }

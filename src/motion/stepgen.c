@@ -516,7 +516,7 @@ uint32_t stepgen_room(void) {
 }
 
 bool stepgen_idle(void) {
-    return g.halted || (!__atomic_load_n(&g.running, __ATOMIC_ACQUIRE) && g.head == g.tail);
+    return g.halted || (!__atomic_load_n(&g.running, __ATOMIC_ACQUIRE) && g.head == g.tail && hal_edges_left());
 }
 int32_t stepgen_position(int motor) {
     return g.motor[motor].moved;

@@ -69,6 +69,52 @@ function romCall(code) {
   }
 }
 
+// ---- PIO by virtual time. The package runs it by a timer of the host, without its clock divider; its queues cannot be joined.
+for (const pio of mcu.pio) {
+  pio.run = () => {};
+  for (const sm of pio.machines) {
+    const { checkWait, writeUint32 } = sm;
+    const periodNs = () => ((sm.clockDivInt || 65536) + sm.clockDivFrac / 256) * (1e9 / mcu.clkSys);
+    let on = false;
+    const alarm = clock.createAlarm(() => {
+      sm.step();
+      pio.checkChangedPins();
+      if (sm.waiting) return;
+      let n = 1;
+      if (pio.instructions[sm.pc] === (0x40 | sm.pc)) { // a loop that only counts x down
+        n += sm.x;
+        sm.x = 0;
+      }
+      alarm.schedule(n * periodNs());
+    });
+    sm.clkDivRestart = () => {};
+    sm.checkWait = () => {
+      const was = sm.waiting;
+      checkWait.call(sm);
+      if (was && !sm.waiting && on) alarm.schedule(periodNs());
+    };
+    sm.writeUint32 = (offset, value) => {
+      if (offset === 8 && (sm.shiftCtrl ^ value) & 0xc0000000) {
+        sm.txFIFO = new sm.txFIFO.constructor(value & 0x40000000 ? 8 : 4);
+        sm.updateDMATx();
+      }
+      writeUint32.call(sm, offset, value);
+    };
+    sm.enabledChanged = () => {
+      if (sm.enabled === on) return;
+      on = sm.enabled;
+      if (on && !sm.waiting) alarm.schedule(periodNs());
+      else alarm.cancel();
+    };
+  }
+  const { writeUint32 } = pio;
+  pio.writeUint32 = (offset, value) => {
+    writeUint32.call(pio, offset, value);
+    for (const sm of pio.machines) sm.enabledChanged();
+    pio.checkChangedPins();
+  };
+}
+
 // ---- the recording
 const STILL_NS = 30e9;
 let moved = 0; // when a pin did, or the last thing to be played will be
