@@ -3,7 +3,7 @@
 # interrupt in QEMU's model of the chip and are looked at by the main loop, so what they do comes some us late.
 board=nrf51
 . tests/emu/lib.sh
-for s in small smooth perspective corexy horizon rand status data cubes; do scene $s 2; done
+for s in small smooth perspective corexy horizon rand sinc status data cubes; do scene $s 2; done
 scene cubes_many 2
 says 'The scene does not fit: it may need [0-9]* bytes of memory, N are free. Nothing was drawn.'
 switch_us=100
