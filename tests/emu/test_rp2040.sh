@@ -3,6 +3,7 @@
 board=rp2040
 . tests/emu/lib.sh
 for s in smooth perspective corexy horizon rand sinc status data cubes halo shadow shaded glass smooth60 rand60; do scene $s 0.8; done
+scene rate 0.8 # as fast as `set machine` lets it
 . tests/emu/behave.sh
 . tests/emu/power.sh
 . tests/emu/wiring.sh
