@@ -6,14 +6,18 @@
 #include "hal/port/ring.h"
 #include "port.h"
 
+#define IN_BYTES 128
+#define OUT_BYTES 64
+
 static struct {
     ring_t in, out;
+    volatile uint8_t in_byte[IN_BYTES], out_byte[OUT_BYTES];
     volatile bool sending; /* a byte is on its way: its end will interrupt */
     volatile uint32_t errors;
 } c;
 
 int hal_console_read(void) {
-    return ring_get(&c.in);
+    return ring_get(&c.in, c.in_byte, IN_BYTES);
 }
 
 bool console_waiting(void) {
@@ -22,7 +26,7 @@ bool console_waiting(void) {
 
 /* In the interrupt, or with interrupts off. */
 static void send_next(void) {
-    int byte = ring_get(&c.out);
+    int byte = ring_get(&c.out, c.out_byte, OUT_BYTES);
     c.sending = byte >= 0;
     port_uart_sending(c.sending);
     if (c.sending) port_uart_send((uint8_t)byte);
@@ -30,7 +34,7 @@ static void send_next(void) {
 
 void hal_console_write(const char *text, size_t bytes) {
     for (size_t i = 0; i < bytes; i++) {
-        while (!ring_put(&c.out, (uint8_t)text[i])) hal_idle();
+        while (!ring_put(&c.out, c.out_byte, OUT_BYTES, (uint8_t)text[i])) hal_idle();
         uint32_t state = irq_lock();
         if (!c.sending) send_next();
         irq_unlock(state);
@@ -54,7 +58,7 @@ void console_uart_isr(void) {
     while ((got = port_uart_take()) != PORT_UART_NONE) {
         if (got & (PORT_UART_LOST | PORT_UART_DAMAGED)) c.errors++;
         if (got & PORT_UART_DAMAGED) continue;
-        if (!ring_put(&c.in, (uint8_t)got)) c.errors++;
+        if (!ring_put(&c.in, c.in_byte, IN_BYTES, (uint8_t)got)) c.errors++;
     }
     if (c.sending && port_uart_sent()) send_next();
 }

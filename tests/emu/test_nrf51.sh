@@ -4,6 +4,7 @@
 board=nrf51
 . tests/emu/lib.sh
 for s in small smooth perspective corexy horizon rand sinc status data cubes; do scene $s 2; done
+scene smooth60 any
 scene cubes_many 2
 says 'The scene does not fit: it may need [0-9]* bytes of memory, N are free. Nothing was drawn.'
 scene rate 2 # as fast as `set machine` lets it

@@ -122,11 +122,11 @@ static void test_overrun(void **state) {
 /* A queue that nobody empties keeps what came first, to the byte, and goes on when there is room again. */
 static void test_full(void **state) {
     (void)state;
-    for (uint32_t i = 0; i < RING_BYTES + 72; i++) arrive('0' + i % 64);
+    for (uint32_t i = 0; i < IN_BYTES + 72; i++) arrive('0' + i % 64);
     console_uart_isr();
     const char *text = taken();
-    assert_int_equal(strlen(text), RING_BYTES);
-    for (uint32_t i = 0; i < RING_BYTES; i++) assert_int_equal(text[i], '0' + i % 64);
+    assert_int_equal(strlen(text), IN_BYTES);
+    for (uint32_t i = 0; i < IN_BYTES; i++) assert_int_equal(text[i], '0' + i % 64);
     assert_int_equal(driver_errors(), 72);
     arrive_text("again\r");
     console_uart_isr();
