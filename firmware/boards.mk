@@ -10,7 +10,7 @@ OPT_lm3s6965 := -Os
 # A function that is called once keeps a frame of its own there: 900 bytes of stack less.
 OPT_nrf51    := -Os -fno-inline-functions-called-once
 # 256 KB of flash hold every system but the area sort. Fast is what runs for each step; all else is small.
-FAST_lm3s6965 := $(filter-out $(addprefix src/motion/,motion.c machine.c),$(wildcard src/motion/*.c)) $(wildcard hal/port/*.c hal/lm3s6965/*.c) src/num/wide.c src/num/ints.c src/num/num.c
+FAST_lm3s6965 := $(filter-out $(addprefix src/motion/,motion.c machine.c planner.c kinematics.c),$(wildcard src/motion/*.c)) $(wildcard hal/port/*.c hal/lm3s6965/*.c) src/num/wide.c src/num/ints.c src/num/num.c
 $(FAST_lm3s6965:%.c=$(BUILDDIR)/firmware/lm3s6965/%.o): OPT_lm3s6965 := -O2
 
 CONFIG_rp2040 := CONFIG_LINE_MAX=1024 CONFIG_LOAD_DEPTH=0 CONFIG_READ_CHUNK=16 CONFIG_PLOT_ITEMS=4 CONFIG_DATA_COLUMNS=8 \

@@ -115,7 +115,7 @@ static inline void begin_pulse(motor_t *a, uint32_t now) {
 }
 
 /* Begins or ends the motor's pulse, or turns it round, if that is due by `near`; a turn by `turn`. */
-static inline uint32_t run_motor(int m, uint32_t level, uint32_t near, uint32_t turn, uint32_t actual) {
+static uint32_t run_motor(int m, uint32_t level, uint32_t near, uint32_t turn, uint32_t actual) {
     motor_t *a = &g.motor[m];
     uint32_t at;
     if (!motor_due(a, &at) || hal_before(a->turn && !a->high ? turn : near, at)) return level;
@@ -350,14 +350,50 @@ static inline uint32_t toggle(motor_t *a, uint32_t now, uint32_t far) {
     return a->fall;
 }
 
+/* Time is stretched, for the rest of the slice evenly, and nothing else but steps is under way. */
+static inline bool is_slowed(void) {
+    for (int m = 0; m < 2; m++)
+        if (g.motor[m].left && g.motor[m].turn) return false;
+    return g.stretched && !g.set_pins && g.now == g.edge && hal_before(g.now, g.slice_end) &&
+           __atomic_load_n(&g.want_hold, __ATOMIC_ACQUIRE) == g.hold;
+}
+
+/* Ticks to the next deadline of pulses while time is stretched, plus one, as stretched() has it, and what the plan is
+ * put off by. 0: it is not one of them, or beyond the slice. */
+static inline uint32_t slowed(const motor_t *x, const motor_t *y, uint32_t now, uint32_t *off) {
+    int32_t fall = NEVER, plan = NEVER;
+    for (int m = 0; m < 2; m++) {
+        const motor_t *a = m ? y : x;
+        const int32_t in = (int32_t)((a->high ? a->fall : (uint32_t)(a->next_q32 >> 32)) - now);
+        if (a->high)
+            fall = in < fall ? in : fall;
+        else if (a->left)
+            plan = in < plan ? in : plan;
+    }
+    if (fall < 0 || plan < 0) return 0;
+    const uint32_t slice = g.slice_end - now;
+    uint32_t in = (uint32_t)fall < slice ? (uint32_t)fall : slice;
+    const uint32_t planned = (uint32_t)plan;
+    if (planned <= in) { /* stretching makes it no shorter; a slice has less than 2^13 ticks */
+        const uint32_t then = g.stretch_q16 < 0x80000 ? (planned * g.stretch_q16) >> 16
+                                                      : (uint32_t)(((uint64_t)planned * g.stretch_q16) >> 16);
+        if (then <= in) {
+            *off = then - planned;
+            return then < slice ? then + 1 : 0;
+        }
+    }
+    if (in == slice) return 0;
+    *off = in - ((in * g.rate_q16) >> 16);
+    return in + 1;
+}
+
 /* Pulses of the taken piece, to its last or as long as there is room for what they do to the pins. Both motors' next
  * deadlines stay in registers. */
-static void pulses(void) {
+static uint32_t *plain_pulses(uint32_t *word, const uint32_t *end, uint32_t *first) {
     motor_t *const x = &g.motor[0], *const y = &g.motor[1];
     const uint32_t until = plain_until(), far = g.now + FAR_TICKS;
-    const uint32_t left[2] = {x->left, y->left};
-    uint32_t *word = &g.ahead.word[g.made], *const from = word, *const end = &g.ahead.word[g.ahead.room - 1];
-    uint32_t x_at = pulse_at(x, far), y_at = pulse_at(y, far), edge = g.edge, level = g.level, first = 0;
+    uint32_t x_at = pulse_at(x, far), y_at = pulse_at(y, far), edge = g.edge, level = g.level;
+    const uint32_t *const from = word;
     while (word < end) {
         const uint32_t now = earlier_of(x_at, y_at), near = now + NEAR_TICKS;
         if (!hal_before(now, until) || (int32_t)(now - edge) < (int32_t)HAL_EDGE_GAP) break;
@@ -369,16 +405,50 @@ static void pulses(void) {
             level ^= HAL_Y_STEP;
             y_at = toggle(y, now, far);
         }
-        if (word == from) first = now;
+        if (word == from) *first = now;
         *word++ = hal_edge(level, now - edge);
         edge = now;
         if (!(x->left | y->left)) break;
     }
+    if (word == from) return word;
+    g.now = g.edge = edge;
+    g.level = level;
+    return word;
+}
+
+static inline void toggle_slowed(motor_t *a, uint32_t step, uint32_t now) {
+    if (hal_before(now + NEAR_TICKS, pulse_at(a, now + FAR_TICKS))) return;
+    g.level ^= step;
+    (void)toggle(a, now, 0);
+}
+
+/* The same in a slice of stretched time. */
+static uint32_t *slowed_pulses(uint32_t *word, const uint32_t *end, uint32_t *first) {
+    motor_t *const x = &g.motor[0], *const y = &g.motor[1];
+    const uint32_t *const from = word;
+    while (word < end && (x->left | y->left)) {
+        uint32_t off, in = slowed(x, y, g.now, &off);
+        if (in-- == 0) break;
+        if (in < HAL_EDGE_GAP) in = HAL_EDGE_GAP;
+        const uint32_t now = g.now + in;
+        if (!hal_before(now, g.ahead.until)) break;
+        put_off(off);
+        toggle_slowed(x, HAL_X_STEP, now);
+        toggle_slowed(y, HAL_Y_STEP, now);
+        if (word == from) *first = now;
+        *word++ = hal_edge(g.level, in);
+        g.now = g.edge = now;
+    }
+    return word;
+}
+
+static void pulses(bool slow) {
+    const uint32_t left[2] = {g.motor[0].left, g.motor[1].left};
+    uint32_t *const from = &g.ahead.word[g.made], *const end = &g.ahead.word[g.ahead.room - 1], first = 0;
+    uint32_t *const word = slow ? slowed_pulses(from, end, &first) : plain_pulses(from, end, &first);
     if (word == from) return;
     if (g.made == 0) g.first = first;
     g.made += (uint32_t)(word - from);
-    g.now = g.edge = edge;
-    g.level = level;
     for (int m = 0; m < 2; m++) {
         motor_t *a = &g.motor[m];
         const int32_t moved = (int32_t)(left[m] - a->left);
@@ -448,9 +518,11 @@ void stepgen_isr(void) {
     do {
         serve(actual);
         take_due();
-        while (g.made + 1 < g.ahead.room && is_plain()) {
+        while (g.made + 1 < g.ahead.room) {
             const uint32_t made = g.made;
-            pulses();
+            const bool plain = is_plain();
+            if (!plain && !is_slowed()) break;
+            pulses(!plain);
             if (g.made == made || !piece_done()) break;
             take_due();
         }
