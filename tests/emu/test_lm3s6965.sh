@@ -4,7 +4,7 @@
 board=lm3s6965
 . tests/emu/lib.sh
 for s in smooth perspective corexy horizon rand sinc status data cubes halo smooth60; do scene $s 0.8; done
-scene rand60 any
+scene rand60 0.8
 scene rate 0.8 # as fast as `set machine` lets it
 . tests/emu/behave.sh
 . tests/emu/wiring.sh
