@@ -227,7 +227,10 @@ static int find_what_coincides(picture_t *p, once_t *once) {
     const arena_t before = p->arena;
     const size_t left = arena_left(&p->arena), bytes = left > 16 ? left - 16 : 0;
     void *mem = arena_take(&p->arena, bytes);
-    int err = mem ? once_build(once, &p->solid_map, mem, bytes) : ERR_FULL;
+    const settings_t *set = p->plot->settings;
+    const bool away =
+        set->dashed || set->hidden == HIDDEN_NONE || set->hidden == HIDDEN_HALO || set->hidden == HIDDEN_AREA;
+    int err = mem ? once_build(once, &p->solid_map, away, mem, bytes) : ERR_FULL;
     p->arena = before;
     if (!err && once->bytes > 0) arena_take(&p->arena, once->bytes); /* the same place */
     return err;

@@ -1,6 +1,7 @@
 /* once_build.c - which edges coincide on the page, see once.h. */
 #include "error.h"
 #include "hidden/once.h"
+#include "hidden/once_away.h"
 #include "hidden/page_grid.h"
 #include "view/cut.h"
 
@@ -8,6 +9,7 @@
 
 typedef struct search {
     const solid_map_t *map;
+    uint8_t *away;         /* of each face: surely turned from the eye; NULL: that does not matter */
     int32_t *parent;       /* of each edge, a forest of groups; NOWHERE: takes no part */
     int32_t *point;        /* of each end, twice the edge and 1 more for its v[1]: which of: */
     page_point_t *at;      /* points: vertices, then where edges are cut by the border of the page */
@@ -57,10 +59,19 @@ static bool cut_edge(search_t *s, int32_t edge) {
     return true;
 }
 
+/* Does one of the bodies that share the edge hide it by itself? */
+static bool is_behind_itself(const search_t *s, int32_t edge) {
+    for (int32_t k = edge; s->away && k >= 0; k = s->map->solid->edge[k].twin) {
+        const solid_edge_t *e = &s->map->solid->edge[k];
+        if (e->face[0] >= 0 && e->face[1] >= 0 && (s->away[e->face[0]] & s->away[e->face[1]])) return true;
+    }
+    return false;
+}
+
 /* Finds the edge's points. Does it take part? */
 static bool place_edge(search_t *s, int32_t edge) {
     const solid_edge_t *e = &s->map->solid->edge[edge];
-    if (e->first != edge || solid_is_cut(e)) return false;
+    if (e->first != edge || solid_is_cut(e) || is_behind_itself(s, edge)) return false;
     for (int k = 0; k < 2; k++) s->point[2 * edge + k] = e->v[k];
     if (needs_cut(s->map, e) && !cut_edge(s, edge)) return false;
     const page_point_t *p = end_of(s, edge, 0), *q = end_of(s, edge, 1);
@@ -231,7 +242,7 @@ static int64_t count_cut(const solid_map_t *m) {
     return n;
 }
 
-int once_build(once_t *o, const solid_map_t *m, void *mem, size_t bytes) {
+int once_build(once_t *o, const solid_map_t *m, bool away, void *mem, size_t bytes) {
     const int32_t ne = m->solid->ne;
     const int64_t points = m->solid->nv + 2 * count_cut(m);
     lent_t lent = {mem, (uint8_t *)mem + bytes};
@@ -246,6 +257,8 @@ int once_build(once_t *o, const solid_map_t *m, void *mem, size_t bytes) {
     s.next = take(&lent, ne, 2 * sizeof *s.next);
     s.head = take(&lent, points, sizeof *s.head);
     if (!lent.at) return ERR_FULL;
+    /* where the grid will be; a lack of memory is no reason to fail: then nothing is left out */
+    if (!away && lent.end - lent.at >= m->solid->nf && once_find_away(m, lent.at)) s.away = lent.at;
     list_ends(&s);
     const page_box_t window = page_grid_window(m);
     int err = page_grid_build(&s.grid, &window, s.points, point_box, &s, lent.at, (size_t)(lent.end - lent.at));

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #define MARGIN 2 /* lat: places are rounded */
+#define FINE 4   /* cells for each box at most: a scene fills half of its window, and lines are short */
 
 typedef struct cells {
     int32_t c0, r0, c1, r1; /* inclusive; empty if c0 > c1 */
@@ -85,12 +86,12 @@ int page_grid_build(page_grid_t *g, const page_box_t *window, int32_t n, page_bo
     int64_t room = (int64_t)(bytes / sizeof(int32_t));
     int64_t width = (int64_t)window->x1 - window->x0, height = (int64_t)window->y1 - window->y0;
     int32_t shift = 0;
-    while (((width >> shift) + 1) * ((height >> shift) + 1) > n + 1) shift++;
+    while (((width >> shift) + 1) * ((height >> shift) + 1) > FINE * ((int64_t)n + 1)) shift++;
     for (;; shift++) {
         set_shift(g, shift);
         int64_t cells = (int64_t)g->columns * g->rows, entries = count(g, n, box, ctx);
         /* boxes that cover many cells are no better found by many */
-        bool fits = cells + 1 + entries <= room;
+        bool fits = cells + 1 + entries <= (cells > (int64_t)n + 1 ? room / 2 : room);
         if (fits && (entries <= 8 * (int64_t)n + 64 || cells == 1)) {
             g->entry = g->start + cells + 1;
             g->bytes = (size_t)(cells + 1 + entries) * sizeof(int32_t);

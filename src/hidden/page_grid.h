@@ -1,7 +1,8 @@
 /* page_grid.h - boxes on the page in square cells: which of them may a line meet?
  *
- * The cells cover a window; what is outside of it does not count. Their size is chosen so that there are about as many
- * cells as boxes, and coarser when memory is short: with a single cell everything is near everything.
+ * The cells cover a window; what is outside of it does not count. Their size is chosen so that there are one to
+ * four for each box, as many as boxes when memory is short (no more than half of it is taken for finer ones), and fewer
+ * when it is shorter: with a single cell everything is near everything.
  * Memory: 4 bytes a cell, 4 for each box in each cell it touches. */
 #ifndef PAGE_GRID_H
 #define PAGE_GRID_H

@@ -63,7 +63,7 @@ static int bench(const char *name, int k, solid_ref_t *body) {
         if (!err) err = camera_setup(&cam, &set, &box);
         if (!err) err = solid_map_setup(&map, &solid, &cam, place);
         t[2] = now();
-        if (!err) err = once_build(&once, &map, kernel, more);
+        if (!err) err = once_build(&once, &map, false, kernel, more);
         t[3] = now();
         const ink_sink_t seen = once_seen(&once, sink);
         const hidden_job_t job = {.mem = (char *)kernel + once.bytes, .bytes = more - once.bytes, .sink = &seen};
