@@ -1,4 +1,5 @@
 /* once_build.c - which edges coincide on the page, see once.h. */
+#include "config.h"
 #include "error.h"
 #include "hidden/once.h"
 #include "hidden/once_away.h"
@@ -61,7 +62,8 @@ static bool cut_edge(search_t *s, int32_t edge) {
 
 /* Does one of the bodies that share the edge hide it by itself? */
 static bool is_behind_itself(const search_t *s, int32_t edge) {
-    for (int32_t k = edge; s->away && k >= 0; k = s->map->solid->edge[k].twin) {
+    if (!CONFIG_ONCE_AWAY || !s->away) return false;
+    for (int32_t k = edge; k >= 0; k = s->map->solid->edge[k].twin) {
         const solid_edge_t *e = &s->map->solid->edge[k];
         if (e->face[0] >= 0 && e->face[1] >= 0 && (s->away[e->face[0]] & s->away[e->face[1]])) return true;
     }
@@ -258,7 +260,7 @@ int once_build(once_t *o, const solid_map_t *m, bool away, void *mem, size_t byt
     s.head = take(&lent, points, sizeof *s.head);
     if (!lent.at) return ERR_FULL;
     /* where the grid will be; a lack of memory is no reason to fail: then nothing is left out */
-    if (!away && lent.end - lent.at >= m->solid->nf && once_find_away(m, lent.at)) s.away = lent.at;
+    if (CONFIG_ONCE_AWAY && !away && lent.end - lent.at >= m->solid->nf && once_find_away(m, lent.at)) s.away = lent.at;
     list_ends(&s);
     const page_box_t window = page_grid_window(m);
     int err = page_grid_build(&s.grid, &window, s.points, point_box, &s, lent.at, (size_t)(lent.end - lent.at));
