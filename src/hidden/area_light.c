@@ -162,14 +162,14 @@ static int64_t mix(int64_t a, int64_t b, int64_t c, int64_t p, int64_t q, int64_
     return a + share_of(b - a, p, whole) + share_of(c - a, q, whole);
 }
 
-static poly_point_t place(const lit_t *s, int64_t x, int64_t y, int64_t e) {
-    const int64_t one = (int64_t)1 << s->eye_lattice.bits;
-    if (e < 1) e = 1;
-    return (poly_point_t){limited(ints_muldiv_round(x, one, e)), limited(ints_muldiv_round(y, one, e))};
+static area_place_t place(const lit_t *s, int64_t x, int64_t y, int64_t e) {
+    if (!s->m->lines.perspective) return (area_place_t){.x = x, .y = y, .e = (int64_t)1 << s->m->lines.frac_bits};
+    const int64_t most = INT64_MAX >> SOLID_FINE_E;
+    return (area_place_t){.x = x, .y = y, .e = (e > most ? most : e < -most ? -most : e) * (1 << SOLID_FINE_E)};
 }
 
 /* A point on the border stays on it, also where a face of a file is flat only nearly: the light sees that it is not. */
-static bool move_on_border(const lit_t *s, const mover_t *mv, poly_point_t p, poly_point_t *to) {
+static bool move_on_border(const lit_t *s, const mover_t *mv, poly_point_t p, area_place_t *to) {
     for (int32_t k = 0; k < mv->n; k++) {
         const int32_t m = k + 1 < mv->n ? k + 1 : 0;
         const poly_point_t a = mv->border[k].at, b = mv->border[m].at;
@@ -186,21 +186,19 @@ static bool move_on_border(const lit_t *s, const mover_t *mv, poly_point_t p, po
             share = ints_muldiv_round(INK_ONE, ints_muldiv_round(share, f->e, far),
                                       ints_muldiv_round(share, f->e, far) + INK_ONE - share);
         }
-        const int64_t one_e = (int64_t)1 << s->m->lines.frac_bits;
         const page_h_t at = line_space_mix(h, g, (int32_t)(share > INK_ONE - 1 ? INK_ONE - 1 : share));
-        *to = share == INK_ONE ? place(s, g->x, g->y, s->m->lines.perspective ? g->e : one_e)
-                               : place(s, at.x, at.y, s->m->lines.perspective ? at.e : one_e);
+        *to = share == INK_ONE ? place(s, g->x, g->y, g->e) : place(s, at.x, at.y, at.e);
         return true;
     }
     return false;
 }
 
-static poly_point_t move(const lit_t *s, const mover_t *mv, poly_point_t p) {
+static area_place_t move(const lit_t *s, const mover_t *mv, poly_point_t p) {
     const page_h_t *h = mv->to;
-    poly_point_t on_border;
+    area_place_t on_border;
     if (move_on_border(s, mv, p, &on_border)) return on_border;
     int64_t to_b = poly_orient(mv->at[0], p, mv->at[2]), to_c = poly_orient(mv->at[0], mv->at[1], p);
-    int64_t whole = mv->whole, one = (int64_t)1;
+    int64_t whole = mv->whole;
     if (s->map.lines.perspective) {
         /* A share l of a corner in the picture is a share l / E of it in space, in the sum of these. */
         const int64_t fine = INK_ONE * 256;
@@ -215,8 +213,7 @@ static poly_point_t move(const lit_t *s, const mover_t *mv, poly_point_t p) {
     }
     int64_t x = mix(h[0].x, h[1].x, h[2].x, to_b, to_c, whole);
     int64_t y = mix(h[0].y, h[1].y, h[2].y, to_b, to_c, whole);
-    int64_t e = one << s->m->lines.frac_bits;
-    if (s->m->lines.perspective) e = mix(h[0].e, h[1].e, h[2].e, to_b, to_c, whole);
+    int64_t e = s->m->lines.perspective ? mix(h[0].e, h[1].e, h[2].e, to_b, to_c, whole) : 0;
     return place(s, x, y, e);
 }
 
@@ -229,24 +226,98 @@ static bool is_unseen(const solid_map_t *m, int32_t face) {
     return s->object[s->face[face].object].kind != SOLID_OPEN && !m->any_behind && !area_looks_at_eye(m, face);
 }
 
+/* A contour on its way to memory, clipped in space where the eye cannot have a picture of it: by one border after the
+ * other (Sutherland & Hodgman), each of which keeps no more than where the contour began and where it is. */
+typedef struct lit_clip {
+    lit_t *s;
+    int32_t *w;
+    struct {
+        area_place_t first, last;
+        bool any;
+    } at[AREA_BORDERS];
+} lit_clip_t;
+
+static int write_place(lit_clip_t *c, const area_place_t *p) {
+    lit_t *s = c->s;
+    const area_fine_t fine = area_fine(&s->eye_lattice, p);
+    const poly_point_t at = area_round(&s->eye_lattice, &fine);
+    if (s->word + s->words_max - c->w < 2) return ERR_FULL;
+    *c->w++ = limited(at.x);
+    *c->w++ = limited(at.y);
+    return 0;
+}
+
+/* Where the way from a to b crosses a border; false if it does not. */
+static bool crossing(const lit_clip_t *c, int32_t border, const area_place_t *a, const area_place_t *b,
+                     area_place_t *at) {
+    const int64_t a_by = area_inside(&c->s->eye_lattice, border, a), b_by = area_inside(&c->s->eye_lattice, border, b);
+    if ((a_by >= 0) == (b_by >= 0)) return false;
+    *at = a_by >= 0 ? area_cut(a, b, a_by, b_by) : area_cut(b, a, b_by, a_by);
+    return true;
+}
+
+/* The next place of a contour, for the borders from `border` on. */
+static int put_place(lit_clip_t *c, int32_t border, area_place_t p) {
+    struct {
+        area_place_t p;
+        int32_t border;
+    } todo[AREA_BORDERS + 2] = {{p, border}};
+    for (int32_t n = 1; n > 0;) {
+        p = todo[--n].p;
+        border = todo[n].border;
+        if (border == AREA_BORDERS) {
+            int err = write_place(c, &p);
+            if (err) return err;
+            continue;
+        }
+        area_place_t cut;
+        const bool crosses = c->at[border].any && crossing(c, border, &c->at[border].last, &p, &cut);
+        if (!c->at[border].any) c->at[border].first = p;
+        c->at[border].any = true;
+        c->at[border].last = p;
+        if (area_inside(&c->s->eye_lattice, border, &p) >= 0) todo[n].p = p, todo[n++].border = border + 1;
+        if (crosses) todo[n].p = cut, todo[n++].border = border + 1;
+    }
+    return 0;
+}
+
+/* The way back to where the contour began. */
+static int close_contour(lit_clip_t *c, int32_t from) {
+    for (int32_t b = from; b < AREA_BORDERS; b++) {
+        area_place_t cut;
+        const bool crosses = c->at[b].any && crossing(c, b, &c->at[b].last, &c->at[b].first, &cut);
+        c->at[b].any = false;
+        int err = crosses ? put_place(c, b + 1, cut) : 0;
+        if (err) return err;
+    }
+    return 0;
+}
+
 static int take_lit(void *ctx, int32_t face, const poly_t *p) {
     lit_t *s = ctx;
     mover_t mv;
-    int32_t n = poly_vertices(p), size = HEAD + p->contours + 2 * n;
     if (is_unseen(s->m, face) || !find_corners(s, face, &mv)) return 0;
-    if (size > s->words_max - s->words) return ERR_FULL;
-    int32_t *block = s->word + s->words, *w = block + HEAD, *head = s->head + s->which * s->m->solid->nf + face;
+    if (HEAD + p->contours > s->words_max - s->words) return ERR_FULL;
+    int32_t *block = s->word + s->words, *end = block + HEAD, *head = s->head + s->which * s->m->solid->nf + face;
+    /* With nothing behind the eye, rounding alone puts something before what is nearest. */
+    const int32_t border = !s->eye_lattice.clips ? AREA_BORDERS : s->m->any_behind ? 0 : 1;
+    lit_clip_t c = {.s = s, .w = end + p->contours};
+    const int32_t *const vertices = c.w;
+    for (int32_t k = 0, i = 0; k < p->contours; k++) {
+        int32_t *const start = c.w;
+        int err = 0;
+        for (; i < p->end[k] && !err; i++) err = put_place(&c, border, move(s, &mv, p->v[i].at));
+        if (!err) err = close_contour(&c, border);
+        if (err) return err;
+        if (c.w - start < 2 * 3) c.w = start;
+        end[k] = (int32_t)(c.w - vertices) / 2;
+    }
+    if (c.w == vertices) return 0;
     block[NEXT] = *head;
     block[CONTOURS] = p->contours;
-    block[VERTICES] = n;
-    for (int32_t k = 0; k < p->contours; k++) *w++ = p->end[k];
-    for (int32_t k = 0; k < n; k++) {
-        poly_point_t at = move(s, &mv, p->v[k].at);
-        *w++ = at.x;
-        *w++ = at.y;
-    }
+    block[VERTICES] = (int32_t)(c.w - vertices) / 2;
     *head = s->words;
-    s->words += size;
+    s->words = (int32_t)(c.w - s->word);
     return 0;
 }
 
@@ -293,7 +364,8 @@ int lit_polygons(const lit_t *s, int32_t which, int32_t face, clip_out_t *out) {
         const int32_t *block = s->word + at, *end = block + HEAD, *w = end + block[CONTOURS];
         if (out->n + block[VERTICES] > out->n_max || out->contours + block[CONTOURS] > out->contours_max)
             return ERR_FULL;
-        for (int32_t k = 0; k < block[CONTOURS]; k++) out->end[out->contours++] = out->n + end[k];
+        for (int32_t k = 0, before = 0; k < block[CONTOURS]; before = end[k++])
+            if (end[k] > before) out->end[out->contours++] = out->n + end[k];
         for (int32_t k = 0; k < block[VERTICES]; k++)
             out->v[out->n++] = (poly_vertex_t){{w[2 * k], w[2 * k + 1]}, POLY_CUT};
     }

@@ -3,8 +3,8 @@
  *
  * The rays know nothing of sorting, clipping or views: a place on a face is in shadow if the way to the light passes
  * through another face (doubles, even-odd in its plane). Places whose answer changes when they move a little are
- * nobody's fault. Scenes whose faces cut through each other are none for the area sort and are left out.
- * RIDGELINE_CASES tries so many times more, RIDGELINE_SEED=n one. */
+ * nobody's fault, and a face that the eye sees edge-on has none. Scenes whose faces cut through each other are none for
+ * the area sort and are left out. RIDGELINE_CASES tries so many times more, RIDGELINE_SEED=n one. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -138,6 +138,26 @@ static void project(const lit_scene_t *c, vec_t p, double out[2]) {
     for (int k = 0; k < 2; k++) out[k] = ldexp(h[k] / h[2], c->lit.eye_lattice.bits);
 }
 
+static bool is_on_paper(const lit_scene_t *c, const double at[2]) {
+    const page_window_t *w = &c->t.cam.window;
+    double unit_lat = ldexp(1, c->lit.eye_lattice.bits);
+    return at[0] >= w->x0_lat * unit_lat && at[0] <= w->x1_lat * unit_lat && at[1] >= w->y0_lat * unit_lat &&
+           at[1] <= w->y1_lat * unit_lat;
+}
+
+/* Is the picture of a circle of `margin` around p so narrow that rounding to the lattice decides what is inside? So it
+ * is where the eye sees a face edge-on: then there is nothing to shade. */
+static bool is_edge_on(const lit_scene_t *c, int32_t f, vec_t p, double margin) {
+    const solid_t *s = &c->t.solid;
+    vec_t n = normal(s, f), u = unit(sub(corner(s, f, 1), corner(s, f, 0))), w = cross(n, u);
+    double at[2], a[2], b[2];
+    project(c, p, at);
+    project(c, add_scaled(p, u, margin), a);
+    project(c, add_scaled(p, w, margin), b);
+    double ax = a[0] - at[0], ay = a[1] - at[1], bx = b[0] - at[0], by = b[1] - at[1];
+    return fabs(ax * by - ay * bx) < 8 * sqrt(ax * ax + ay * ay + bx * bx + by * by);
+}
+
 static bool lit_says(const lit_scene_t *c, int32_t f, int l, const double at[2]) {
     static poly_vertex_t v[100000];
     static int32_t end[100000];
@@ -216,7 +236,7 @@ static void choose_lights(lit_scene_t *c, uint64_t seed) {
 }
 
 typedef struct tally {
-    long long scenes, left_out, places, places_wrong, borders, borders_wrong, changes, changes_missed;
+    long long scenes, left_out, edge_on, places, places_wrong, borders, borders_wrong, changes, changes_missed;
 } tally_t;
 
 static bool crosses(const border_t *b, const double p[2], const double q[2]) {
@@ -236,9 +256,15 @@ static vec_t random_on(const solid_t *s, int32_t f) {
     return add_scaled(add_scaled(a, sub(b, a), u), sub(d, a), w);
 }
 
-static bool is_seen(const lit_scene_t *c, int32_t f, vec_t p) {
-    vec_t at;
-    return seen(c, p, to_eye(c, p), &at) == f;
+/* Is p on f seen, and what is `near` to it too? A line of sight alone may slip through where two faces meet. */
+static bool is_seen(const lit_scene_t *c, int32_t f, vec_t p, double near) {
+    const solid_t *s = &c->t.solid;
+    vec_t u = unit(sub(corner(s, f, 1), corner(s, f, 0))), w = cross(normal(s, f), u), at;
+    for (int k = 0; k < 5; k++) {
+        vec_t q = k == 0 ? p : add_scaled(p, k & 1 ? u : w, k < 3 ? near : -near);
+        if (seen(c, q, to_eye(c, q), &at) != f) return false;
+    }
+    return true;
 }
 
 /* Between two places of a face with different answers there is a border. */
@@ -258,20 +284,13 @@ static void check_change(const lit_scene_t *c, int32_t f, vec_t p, vec_t q, int 
     if (dot(sub(p, q), sub(p, q)) > 64 * margin * margin) return;
     for (int k = 0; k <= 8; k++) {
         vec_t m = add_scaled(p, sub(q, p), k / 8.);
-        if (!is_seen(c, f, m) || is_touched(c, f, m, 4 * margin)) return;
+        if (!is_seen(c, f, m, margin / 64) || is_touched(c, f, m, 4 * margin)) return;
     }
     double a[2], b[2];
     vec_t d = sub(q, p);
     project(c, add_scaled(p, d, -.2), a);
     project(c, add_scaled(q, d, .2), b);
-    const page_window_t *w = &c->t.cam.window;
-    double unit_lat = ldexp(1, c->lit.eye_lattice.bits);
-    for (int k = 0; k < 2; k++) {
-        const double *at = k ? b : a;
-        if (at[0] < w->x0_lat * unit_lat || at[0] > w->x1_lat * unit_lat || at[1] < w->y0_lat * unit_lat ||
-            at[1] > w->y1_lat * unit_lat)
-            return; /* off the paper */
-    }
+    if (!is_on_paper(c, a) || !is_on_paper(c, b)) return;
     n->changes++;
     for (int32_t k = 0; k < c->borders.n; k++)
         if (crosses(&c->borders.list[k], a, b)) return;
@@ -292,6 +311,11 @@ static void check_places(const lit_scene_t *c, tally_t *n) {
             if (mask < 0 || is_touched(c, f, p, 2 * margin)) continue;
             double at[2];
             project(c, p, at);
+            if (!is_on_paper(c, at)) continue;
+            if (is_edge_on(c, f, p, margin)) {
+                n->edge_on++;
+                continue;
+            }
             n->places++;
             for (int l = 0; l < c->lights; l++) {
                 if (light_slope(&c->light[l], &c->t.map, f) <= INK_ONE / 50) continue; /* at a graze rounding decides */
@@ -304,34 +328,44 @@ static void check_places(const lit_scene_t *c, tally_t *n) {
     }
 }
 
-/* To both sides of a border other lights reach the face. */
+/* The lights that reach what the eye sees at a place of a parallel view; -1 if none is sure. */
+static int reached_at(const lit_scene_t *c, const double page[2], double margin, double near, int32_t *face) {
+    const camera_t *cam = &c->t.cam;
+    double at[2];
+    for (int i = 0; i < 2; i++) at[i] = ldexp(page[i], -c->lit.eye_lattice.bits) - num_value(cam->m[i][3]);
+    vec_t r0 = {num_value(cam->m[0][0]), num_value(cam->m[0][1]), num_value(cam->m[0][2])};
+    vec_t r1 = {num_value(cam->m[1][0]), num_value(cam->m[1][1]), num_value(cam->m[1][2])};
+    double g00 = dot(r0, r0), g01 = dot(r0, r1), g11 = dot(r1, r1), det = g00 * g11 - g01 * g01;
+    double u = (at[0] * g11 - at[1] * g01) / det, w = (at[1] * g00 - at[0] * g01) / det;
+    vec_t p = add_scaled(add_scaled((vec_t){0, 0, 0}, r0, u), r1, w), q = p;
+    *face = seen(c, p, to_eye(c, p), &q);
+    return *face < 0 || is_touched(c, *face, q, margin) ? -1 : reached(c, *face, q, near);
+}
+
+/* To both sides of a border other lights reach the face: close to it if not farther off, since the shadow of a needle
+ * is narrow. */
 static void check_borders(const lit_scene_t *c, tally_t *n) {
     const double margin = 1e-3 * c->size;
-    const camera_t *cam = &c->t.cam;
-    double step = ldexp(LAT_PER_MM, c->lit.eye_lattice.bits) * .02;
-    if (cam->perspective) return; /* the way back from the page is worked out for parallel views only */
+    const double most = ldexp(LAT_PER_MM, c->lit.eye_lattice.bits) * .02;
+    if (c->t.cam.perspective) return; /* the way back from the page is worked out for parallel views only */
     for (int32_t k = 0; k < c->borders.n; k++) {
         const border_t *b = &c->borders.list[k];
         double dx = (double)b->end[1].x - b->end[0].x, dy = (double)b->end[1].y - b->end[0].y, l = hypot(dx, dy);
-        if (l < 10 * step) continue;
-        int mask[2];
-        int32_t face[2];
-        for (int side = 0; side < 2; side++) {
-            double t = side ? step / l : -step / l,
-                   at[2] = {(b->end[0].x + dx / 2 - dy * t), (b->end[0].y + dy / 2 + dx * t)};
-            for (int i = 0; i < 2; i++) at[i] = ldexp(at[i], -c->lit.eye_lattice.bits) - num_value(cam->m[i][3]);
-            vec_t r0 = {num_value(cam->m[0][0]), num_value(cam->m[0][1]), num_value(cam->m[0][2])};
-            vec_t r1 = {num_value(cam->m[1][0]), num_value(cam->m[1][1]), num_value(cam->m[1][2])};
-            double g00 = dot(r0, r0), g01 = dot(r0, r1), g11 = dot(r1, r1), det = g00 * g11 - g01 * g01;
-            double u = (at[0] * g11 - at[1] * g01) / det, w = (at[1] * g00 - at[0] * g01) / det;
-            vec_t p = add_scaled(add_scaled((vec_t){0, 0, 0}, r0, u), r1, w), q = p;
-            face[side] = seen(c, p, to_eye(c, p), &q);
-            mask[side] =
-                face[side] < 0 || is_touched(c, face[side], q, margin) ? -1 : reached(c, face[side], q, margin / 16);
+        if (l < 10 * most) continue;
+        bool sure = false, differs = false;
+        for (int closer = 1; closer <= 64 && !differs; closer *= 4) {
+            int mask[2];
+            int32_t face[2];
+            for (int side = 0; side < 2; side++) {
+                double t = (side ? most : -most) / closer / l,
+                       at[2] = {(b->end[0].x + dx / 2 - dy * t), (b->end[0].y + dy / 2 + dx * t)};
+                mask[side] = reached_at(c, at, margin, margin / 16 / closer, &face[side]);
+            }
+            sure = mask[0] >= 0 && mask[1] >= 0 && face[0] == face[1];
+            differs = sure && mask[0] != mask[1];
         }
-        if (mask[0] < 0 || mask[1] < 0 || face[0] != face[1]) continue;
-        n->borders++;
-        n->borders_wrong += mask[0] == mask[1];
+        n->borders += sure;
+        n->borders_wrong += sure && !differs;
     }
 }
 
@@ -384,14 +418,18 @@ static void shadows_are_where_rays_end(void **state) {
     tally_t n = {0};
     uint64_t only, first = 0, count = cases_scaled(300);
     int wrong = 0;
+    /* Corners too far off the page to have a picture; a needle's shadow; a face behind a seam, seen along it. */
+    static const uint64_t hard[] = {467, 2215, 875, 1407, 938};
     if (cases_only_seed(&only)) first = only, count = 1;
     for (uint64_t seed = first; seed < first + count; seed++) wrong += !try_scene(seed, 3 + (int)(seed % 3), &n);
-    print_message(
-        "# lights: %lld scenes (%lld left out), %lld of %lld places wrong, %lld of %lld borders where nothing "
-        "changes, %lld of %lld changes without a border; %d scenes\n",
-        n.scenes, n.left_out, n.places_wrong, n.places, n.borders_wrong, n.borders, n.changes_missed, n.changes, wrong);
-    /* What the area sort itself gets wrong (test_area_random) is wrong here for every light. */
-    assert_true(wrong * 100 <= 2 * n.scenes + 100);
+    for (size_t k = 0; k < sizeof hard / sizeof *hard && count > 1; k++)
+        if (hard[k] >= count) wrong += !try_scene(hard[k], 3 + (int)(hard[k] % 3), &n);
+    print_message("# lights: %lld scenes (%lld left out), %lld of %lld places wrong (%lld more seen edge-on), %lld of "
+                  "%lld borders "
+                  "where nothing changes, %lld of %lld changes without a border; %d scenes\n",
+                  n.scenes, n.left_out, n.places_wrong, n.places, n.edge_on, n.borders_wrong, n.borders,
+                  n.changes_missed, n.changes, wrong);
+    assert_int_equal(wrong, 0);
 }
 
 int main(void) {
