@@ -143,7 +143,8 @@ static void tones_are_ink_per_area(void **state) {
         hatch_setup(&h, &window, num_from_i64(angle), LAT_PER_MM / 2);
         h.bits = BITS;
         for (int tone = HATCH_NONE; tone <= HATCH_DARK; tone++) {
-            hatch_all(&ink, &h, &p, &(enum hatch_tone){tone}, 1);
+            enum hatch_tone all = (enum hatch_tone)tone;
+            hatch_all(&ink, &h, &p, &all, 1);
             double want = ink_per_area[tone] * 100 * 100 / .5;
             assert_true(fabs(ink.length - want) <= .021 * want); /* a line more or less of 200 */
         }
