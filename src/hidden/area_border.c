@@ -2,6 +2,7 @@
 #include "hidden/area_border.h"
 
 #include "error.h"
+#include "hidden/heap_sort.h"
 #include "num/ints.h"
 
 #define CRACK 96 /* units of 2^-5 lat: what is no wider is no shadow (a hundredth of a step) */
@@ -128,26 +129,11 @@ static int32_t low(const border_t *s) {
     return s->end[0].x < s->end[1].x ? s->end[0].x : s->end[1].x;
 }
 
-static void sift(border_t *list, int32_t k, int32_t n) {
-    border_t moved = list[k];
-    for (int32_t child = 2 * k + 1; child < n; child = 2 * k + 1) {
-        if (child + 1 < n && low(&list[child]) < low(&list[child + 1])) child++;
-        if (low(&moved) >= low(&list[child])) break;
-        list[k] = list[child];
-        k = child;
-    }
-    list[k] = moved;
+static bool is_before(const border_t *a, const border_t *b) {
+    return low(a) < low(b);
 }
 
-static void sort(border_t *list, int32_t n) {
-    for (int32_t k = n / 2; k-- > 0;) sift(list, k, n);
-    for (int32_t k = n; k-- > 1;) {
-        border_t last = list[k];
-        list[k] = list[0];
-        list[0] = last;
-        sift(list, 0, k);
-    }
-}
+HEAP_SORT(border_t, is_before)
 
 /* Takes off s what lies on t; true if nothing is left. A part in the middle of s stays twice. */
 static bool take_off(border_t *s, const border_t *t) {
@@ -165,7 +151,7 @@ static bool take_off(border_t *s, const border_t *t) {
 }
 
 void borders_settle(borders_t *b) {
-    sort(b->list, b->n);
+    heap_sort(b->list, b->n);
     for (int32_t k = 0; k < b->n; k++) {
         border_t *s = &b->list[k];
         int32_t high = s->end[0].x > s->end[1].x ? s->end[0].x : s->end[1].x;

@@ -3,6 +3,7 @@
 #include "hidden/area_wires.h"
 
 #include "error.h"
+#include "hidden/heap_sort.h"
 #include "num/ints.h"
 #include "scene/solid_math.h"
 
@@ -140,27 +141,7 @@ static bool is_before(const area_face_t *a, const area_face_t *b) {
     return a->z_near != b->z_near ? a->z_near < b->z_near : a->face < b->face;
 }
 
-/* Heap sort: in place, without recursion, the same everywhere. */
-static void sift(area_face_t *f, int32_t k, int32_t n) {
-    area_face_t moved = f[k];
-    for (int32_t child = 2 * k + 1; child < n; child = 2 * k + 1) {
-        if (child + 1 < n && is_before(&f[child], &f[child + 1])) child++;
-        if (!is_before(&moved, &f[child])) break;
-        f[k] = f[child];
-        k = child;
-    }
-    f[k] = moved;
-}
-
-static void sort(area_face_t *f, int32_t n) {
-    for (int32_t k = n / 2; k-- > 0;) sift(f, k, n);
-    for (int32_t k = n; k-- > 1;) {
-        area_face_t last = f[k];
-        f[k] = f[0];
-        f[0] = last;
-        sift(f, 0, k);
-    }
-}
+HEAP_SORT(area_face_t, is_before)
 
 /* An eye with everything in front of it is outside of all closed objects, and sees their outer sides only. */
 static bool is_turned_away(const solid_map_t *m, int32_t face) {
@@ -199,6 +180,6 @@ int area_faces_make(area_faces_t *faces, int32_t *corner_edge, uint8_t *state, a
         faces->vertices += n;
         faces->n++;
     }
-    sort(faces->face, faces->n);
+    heap_sort(faces->face, faces->n);
     return 0;
 }

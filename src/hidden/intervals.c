@@ -2,6 +2,7 @@
 #include "hidden/intervals.h"
 
 #include "error.h"
+#include "hidden/heap_sort.h"
 #include <stdbool.h>
 
 void intervals_init(intervals_t *s, void *mem, size_t bytes) {
@@ -13,27 +14,12 @@ static bool is_before(const interval_t *a, const interval_t *b) {
     return a->line != b->line ? a->line < b->line : a->from_q30 < b->from_q30;
 }
 
-static void sift(interval_t *p, int32_t k, int32_t n) {
-    interval_t moved = p[k];
-    for (int32_t child = 2 * k + 1; child < n; child = 2 * k + 1) {
-        if (child + 1 < n && is_before(&p[child], &p[child + 1])) child++;
-        if (!is_before(&moved, &p[child])) break;
-        p[k] = p[child];
-        k = child;
-    }
-    p[k] = moved;
-}
+HEAP_SORT(interval_t, is_before)
 
-/* Heap sort, then neighbours that overlap or touch become one. */
+/* Sorted, neighbours that overlap or touch become one. */
 static void unite(intervals_t *s) {
     interval_t *p = s->part;
-    for (int32_t k = s->n / 2; k-- > 0;) sift(p, k, s->n);
-    for (int32_t k = s->n; k-- > 1;) {
-        interval_t last = p[k];
-        p[k] = p[0];
-        p[0] = last;
-        sift(p, 0, k);
-    }
+    heap_sort(p, s->n);
     int32_t n = 0;
     for (int32_t k = 0; k < s->n; k++) {
         if (n > 0 && p[n - 1].line == p[k].line && p[k].from_q30 <= p[n - 1].to_q30) {

@@ -2,6 +2,7 @@
 #include "hidden/once.h"
 
 #include "error.h"
+#include "hidden/heap_sort.h"
 #include "hidden/line_class.h"
 #include "num/ints.h"
 
@@ -62,26 +63,7 @@ static bool is_before(const once_piece_t *a, const once_piece_t *b) {
     return a->edge < b->edge;
 }
 
-static void sift(once_piece_t *p, int32_t k, int32_t n) {
-    once_piece_t moved = p[k];
-    for (int32_t child = 2 * k + 1; child < n; child = 2 * k + 1) {
-        if (child + 1 < n && is_before(&p[child], &p[child + 1])) child++;
-        if (!is_before(&moved, &p[child])) break;
-        p[k] = p[child];
-        k = child;
-    }
-    p[k] = moved;
-}
-
-static void sort(once_piece_t *p, int32_t n) {
-    for (int32_t k = n / 2; k-- > 0;) sift(p, k, n);
-    for (int32_t k = n; k-- > 1;) {
-        once_piece_t last = p[k];
-        p[k] = p[0];
-        p[0] = last;
-        sift(p, 0, k);
-    }
-}
+HEAP_SORT(once_piece_t, is_before)
 
 /* Emits what of a piece lies in u0..u1 of its line. */
 static int emit(const once_t *o, const once_piece_t *p, int32_t u0, int32_t u1) {
@@ -133,7 +115,7 @@ static int draw_rank(const once_t *o, const once_piece_t *p, int32_t count, cons
 static int32_t unite(once_piece_t *p, int32_t count) {
     int32_t n = 0;
     for (int32_t k = 0; k < count; k++) p[k].rank = 0;
-    sort(p, count);
+    heap_sort(p, count);
     for (int32_t k = 0; k < count; k++) {
         if (n > 0 && p[k].u0 <= p[n - 1].u1) {
             if (p[k].u1 > p[n - 1].u1) p[n - 1].u1 = p[k].u1;
@@ -146,7 +128,7 @@ static int32_t unite(once_piece_t *p, int32_t count) {
 
 int once_finish(once_t *o) {
     int err = 0;
-    sort(o->piece, o->n);
+    heap_sort(o->piece, o->n);
     for (int32_t k = 0; k < o->n && !err;) {
         const int32_t group = o->piece[k].rank >> 2;
         once_piece_t *drawn = &o->piece[k]; /* what is drawn already, in the place of its pieces */
