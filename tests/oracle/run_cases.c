@@ -24,6 +24,16 @@ bool cases_only_seed(uint64_t *seed) {
     return s != NULL;
 }
 
+bool cases_seeds(uint64_t first, uint64_t count, uint64_t *from, uint64_t *to) {
+    if (cases_only_seed(from)) {
+        *to = *from + 1;
+        return *from >= first && *from < first + 1000000000;
+    }
+    *from = cases_first(first, count);
+    *to = *from + count;
+    return true;
+}
+
 bool cases_good(const judge_report_t *r) {
     return r->missing_mm <= CASES_RUN_MM && r->false_mm <= CASES_RUN_MM && r->twice_mm <= CASES_TWICE_MM &&
            r->end_steps <= CASES_END_STEPS;
@@ -124,15 +134,9 @@ bool cases_surface(cases_t *c, const scene_t *s, uint64_t seed, bool shrink) {
 int cases_random_surfaces(const char *name, uint64_t first, uint64_t count, int max, bool holes) {
     cases_t c = {.name = name, .program = name};
     int failed = 0;
-    uint64_t only;
-    if (cases_only_seed(&only)) {
-        if (only < first || only >= first + 1000000000) return 0;
-        first = only;
-        count = 1;
-    } else {
-        first = cases_first(first, count);
-    }
-    for (uint64_t seed = first; seed < first + count && failed < 20; seed++) {
+    uint64_t from, to;
+    if (!cases_seeds(first, count, &from, &to)) return 0;
+    for (uint64_t seed = from; seed < to && failed < 20; seed++) {
         scene_t s;
         scene_random(&s, seed, max, holes);
         if (!cases_surface(&c, &s, seed, failed < 3)) failed++;

@@ -32,6 +32,9 @@ uint64_t cases_scaled(uint64_t n);
 uint64_t cases_first(uint64_t first, uint64_t count);
 /* RIDGELINE_SEED, if set, is the one seed to try: returns true and puts it into *seed. */
 bool cases_only_seed(uint64_t *seed);
+/* The seeds from <= seed < to of a group of `count` that begins at `first`, as the three above say. Returns false if
+ * RIDGELINE_SEED belongs to another group: seeds of groups are 10^9 apart. */
+bool cases_seeds(uint64_t first, uint64_t count, uint64_t *from, uint64_t *to);
 /* Is the drawing within the limits? */
 bool cases_good(const judge_report_t *r);
 /* Draws and judges a surface scene. On failure prints the figures; with shrink, a smaller scene and the command that

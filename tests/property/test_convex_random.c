@@ -12,14 +12,10 @@
 #include "tests/oracle/solid_scenes.h"
 
 static int run(const char *name, uint64_t first, uint64_t count, int objects) {
-    uint64_t only, from = cases_first(first, count), to = from + count;
+    uint64_t from, to;
     int failed = 0;
     cases_t c = {.name = name};
-    if (cases_only_seed(&only)) {
-        if (only < first || only >= first + 1000000000) return 0;
-        from = only;
-        to = only + 1;
-    }
+    if (!cases_seeds(first, count, &from, &to)) return 0;
     for (uint64_t seed = from; seed < to && failed < 20; seed++) {
         solid_scene_t s;
         judge_report_t r;

@@ -162,13 +162,10 @@ static bool run(now_t *s, uint64_t seed, bool solids, halo_page_report_t *r, boo
 
 static void run_all(const char *name, uint64_t first, uint64_t count, bool solids) {
     static now_t s;
-    uint64_t only, from = cases_first(first, count), to = from + count;
+    uint64_t from, to;
     int failed = 0, drawn = 0;
     halo_page_report_t all = {0};
-    if (cases_only_seed(&only)) {
-        if (only < first || only >= first + 1000000000) return;
-        from = only, to = only + 1;
-    }
+    if (!cases_seeds(first, count, &from, &to)) return;
     for (uint64_t seed = from; seed < to && failed < 10; seed++) {
         halo_page_report_t r = {0};
         bool seen;

@@ -103,14 +103,10 @@ static bool judge(solid_stage_t *t, enum kernel kernel, account_t *a) {
 }
 
 static int run(const char *name, uint64_t first, uint64_t count, int objects, enum kernel kernel) {
-    uint64_t only, from = cases_first(first, count), to = from + count;
+    uint64_t from, to;
     account_t a = {0};
     int failed = 0;
-    if (cases_only_seed(&only)) {
-        if (only < first || only >= first + 1000000000) return 0;
-        from = only;
-        to = only + 1;
-    }
+    if (!cases_seeds(first, count, &from, &to)) return 0;
     for (uint64_t seed = from; seed < to && failed < 20; seed++) {
         solid_scene_t s;
         solid_stage_t t;
