@@ -23,7 +23,7 @@ $(FWDIR)/$1/%.o: %.S
 	$$(Q)$(CROSS)gcc $$(CPU_$1) -mthumb -c $$< -o $$@
 $(FWDIR)/$1.elf: $$(FW_OBJ_$1) linker/$1.ld linker/sections.ld
 	$$(call say,LD,$$@)
-	$$(Q)$(CROSS)gcc $$(CPU_$1) $(FW_LDFLAGS) -T linker/$1.ld -Wl,-Map=$$(@:.elf=.map) $$(FW_OBJ_$1) -o $$@
+	$$(Q)$(CROSS)gcc $$(CPU_$1) $$(OPT_$1) $(FW_LDFLAGS) -T linker/$1.ld -Wl,-Map=$$(@:.elf=.map) $$(FW_OBJ_$1) -o $$@
 endef
 $(foreach b,$(BOARDS),$(eval $(call board,$b)))
 IMAGES := $(BOARDS:%=$(FWDIR)/%.elf) $(FWDIR)/rp2040.bin

@@ -1,4 +1,4 @@
-/* store.c - the last 16 KB of flash: 4 slots of 4 pages of 1 KB. The processor stands still while the flash is busy. */
+/* store.c - the last 8 KB of flash: 4 slots of 2 pages of 1 KB. The processor stands still while the flash is busy. */
 #include <string.h>
 
 #include "error.h"

@@ -44,8 +44,8 @@ run_nrf51() { # stim, drawings
     for n in x_step@3 x_dir@2 y_step@1 y_dir@18 pen@20 enable@16; do wires=$wires,pin=${n%@*}:$gpio@${n#*@}$(low ${n%@*}); done
     for n in limit_x@23 limit_y@22 button@17 estop@21; do wires=$wires,input=${n%@*}:$gpio@${n#*@}:low; done
     flash=
-    [ -e "$work/keep/emu" ] && flash="-device loader,file=$work/keep/emu,addr=0x3c000,force-raw=on"
-    run_qemu microbit 6 "$1" "$2" "$wires,store=$work/keep/emu,flash=0x3c000+0x4000" "$flash"
+    [ -e "$work/keep/emu" ] && flash="-device loader,file=$work/keep/emu,addr=0x3e000,force-raw=on"
+    run_qemu microbit 6 "$1" "$2" "$wires,store=$work/keep/emu,flash=0x3e000+0x2000" "$flash"
 }
 
 run_qemu() { # machine, 2^n ns an instruction, stim, drawings, wires, other options
