@@ -18,27 +18,30 @@ static int64_t row_most(const solid_map_t *m, int r) {
     return sum >> (62 + drop) ? INT64_MAX / 2 : (int64_t)(sum << -drop);
 }
 
+/* Sums of these must not overflow, whatever the lattice. */
+static int64_t limited(int64_t a) {
+    return a > INT64_MAX / 8 ? INT64_MAX / 8 : a;
+}
+
 static void find_flat(area_lattice_t *l) {
     const solid_map_t *m = l->m;
-    int64_t x = row_most(m, 0), y = row_most(m, 1), page = x > y ? x : y;
-    int64_t scale = (int64_t)SOLID_FLAT << (l->bits + 8);
+    int64_t x = limited(row_most(m, 0)), y = limited(row_most(m, 1)), page = x > y ? x : y;
+    int64_t scale = (int64_t)SOLID_FLAT << (l->bits + 8), flat;
     if (!m->lines.perspective) {
         uint64_t eye = 0;
         for (int k = 0; k < 3; k++) eye += ints_abs64(m->eye.e[k]);
         int32_t drop = m->z_shift - (AREA_Z_BITS - SOLID_Z_BITS);
-        l->flat_z = SOLID_FLAT * (int64_t)(drop > 0 ? eye >> drop : eye) + 16;
-        l->flat_page_q8 =
-            ints_muldiv_round(page, scale, (int64_t)1 << 20 << (m->lines.frac_bits < 40 ? m->lines.frac_bits : 40));
+        flat = SOLID_FLAT * (int64_t)(drop > 0 ? eye >> drop : eye);
+        page = ints_muldiv_round(page, scale, (int64_t)1 << 20 << (m->lines.frac_bits < 40 ? m->lines.frac_bits : 40));
     } else {
         /* d(x / E) = (dx - x/E dE) / E, and |x/E| is below the guard */
         int64_t e = row_most(m, 2), near = l->near >> (SOLID_FINE_E - 20);
-        page += ints_muldiv_round(e, l->guard_lat, 1);
-        l->flat_page_q8 = ints_muldiv_round(page, scale, near + 1);
-        l->flat_z = ints_muldiv_round((int64_t)SOLID_FLAT << AREA_Z_BITS >> 2, e, near / 4 + 1) + 16;
+        page += limited(ints_muldiv_round(e, l->guard_lat, 1));
+        page = ints_muldiv_round(page, scale, near + 1);
+        flat = ints_muldiv_round((int64_t)SOLID_FLAT << AREA_Z_BITS >> 2, e, near / 4 + 1);
     }
-    if (l->flat_page_q8 > INT64_MAX / 4) l->flat_page_q8 = INT64_MAX / 4;
-    if (l->flat_z > INT64_MAX / 8) l->flat_z = INT64_MAX / 8;
-    l->flat_page_q8++;
+    l->flat_page_q8 = limited(page) + 1;
+    l->flat_z = limited(flat) + 16;
 }
 
 area_lattice_t area_lattice(const solid_map_t *m) {

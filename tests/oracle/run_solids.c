@@ -14,13 +14,29 @@
 typedef struct ink {
     const solid_ref_t *ref;
     const solid_t *solid;
+    const page_view_t *view;
+    double unit; /* of the scene's lattice */
     judge_piece_t *piece;
     size_t n;
-    int lost; /* pieces on edges that the reference does not know */
+    int lost;     /* pieces on edges that the reference does not know */
+    double moved; /* steps that the lattice has moved an end on the page, at most */
 } ink_t;
 
 static void world(const solid_t *s, int32_t v, double out[3]) {
     for (int k = 0; k < 3; k++) out[k] = num_value(s->origin[k]) + ldexp(s->vertex[v].at[k], -s->shift);
+}
+
+/* How far the rounding of vertices moves the end of a piece. */
+static void measure_moved(ink_t *i, const double a[3], const double b[3], int edge, bool turned, double t) {
+    const exact_point_t *p = &i->ref->vertex[i->ref->edge[edge][turned]],
+                        *q = &i->ref->vertex[i->ref->edge[edge][!turned]];
+    const exact_point_t ours = {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])},
+                        its = {p->x + t * (q->x - p->x), p->y + t * (q->y - p->y), p->z + t * (q->z - p->z)};
+    const page_view_t *v = i->view;
+    double x[2], y[2];
+    if (!page_view_point(v, ours, &x[0], &y[0]) || !page_view_point(v, its, &x[1], &y[1])) return;
+    if (x[1] < v->x0 || x[1] > v->x1 || y[1] < v->y0 || y[1] > v->y1) return;
+    i->moved = fmax(i->moved, hypot(x[1] - x[0], y[1] - y[0]) / JUDGE_STEP_MM);
 }
 
 static int take(void *ctx, const ink_piece_t *p) {
@@ -29,18 +45,20 @@ static int take(void *ctx, const ink_piece_t *p) {
     bool turned;
     world(i->solid, i->solid->edge[p->line].v[0], a);
     world(i->solid, i->solid->edge[p->line].v[1], b);
-    int edge = solid_ref_find(i->ref, a, b, &turned);
+    int edge = solid_ref_find(i->ref, a, b, fmax(1e-6 * i->ref->size, 4 * i->unit), &turned);
     if (edge < 0) {
         i->lost++;
         return 0;
     }
+    measure_moved(i, a, b, edge, turned, from);
+    measure_moved(i, a, b, edge, turned, to);
     i->piece = realloc(i->piece, (i->n + 1) * sizeof *i->piece);
     i->piece[i->n++] = (judge_piece_t){REF_ROW, edge, turned ? 1 - to : from, turned ? 1 - from : to};
     return 0;
 }
 
 /* Where the edge `of` runs along the edge `on`: the parameters on `on` of its ends. */
-static bool runs_along(const solid_ref_t *r, int of, int on, double t[2]) {
+static bool runs_along(const solid_ref_t *r, int of, int on, double within, double t[2]) {
     const exact_point_t *o = &r->vertex[r->edge[on][0]], *e = &r->vertex[r->edge[on][1]];
     const double d[3] = {e->x - o->x, e->y - o->y, e->z - o->z}, dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     for (int k = 0; k < 2; k++) {
@@ -49,7 +67,7 @@ static bool runs_along(const solid_ref_t *r, int of, int on, double t[2]) {
         double off = 0;
         t[k] = (p[0] * d[0] + p[1] * d[1] + p[2] * d[2]) / dd;
         for (int i = 0; i < 3; i++) off += fabs(p[i] - t[k] * d[i]);
-        if (off > 1e-7 * r->size) return false;
+        if (off > within) return false;
     }
     return fmin(t[0], t[1]) < 1 && fmax(t[0], t[1]) > 0;
 }
@@ -57,6 +75,7 @@ static bool runs_along(const solid_ref_t *r, int of, int on, double t[2]) {
 /* Where edges of bodies that touch lie on top of one another, ink on one of them is ink on the others. */
 static void share(ink_t *ink) {
     const solid_ref_t *r = ink->ref;
+    const double within = fmax(1e-7 * r->size, ink->unit);
     size_t drawn = ink->n;
     spans_t have = {0}, here = {0}, more = {0};
     for (int on = 0; on < r->ne; on++) {
@@ -66,7 +85,7 @@ static void share(ink_t *ink) {
             const judge_piece_t p = ink->piece[i];
             double t[2];
             if (p.line == on) spans_add(&have, p.from, p.to);
-            if (p.line == on || !runs_along(r, p.line, on, t)) continue;
+            if (p.line == on || !runs_along(r, p.line, on, within, t)) continue;
             double a = t[0] + p.from * (t[1] - t[0]), b = t[0] + p.to * (t[1] - t[0]);
             spans_add(&here, fmax(fmin(a, b), 0), fmin(fmax(a, b), 1));
         }
@@ -155,7 +174,7 @@ void solid_stage_free(solid_stage_t *t) {
 int solid_stage_judge(solid_stage_t *t, const solid_scene_t *s, int every, judge_report_t *out, bool *good) {
     solid_ref_t ref = s->ref; /* shares the memory; the eye is its own */
     page_view_t view;
-    ink_t ink = {.ref = &ref, .solid = &t->solid};
+    ink_t ink = {.ref = &ref, .solid = &t->solid, .view = &view, .unit = ldexp(1, -t->solid.shift)};
     *out = (judge_report_t){0};
     page_of(&t->cam, &view, &ref.eye);
     int err = solid_stage_draw(t, &(ink_sink_t){&ink, take});
@@ -166,6 +185,7 @@ int solid_stage_judge(solid_stage_t *t, const solid_scene_t *s, int every, judge
         if (!every) share(&ink);
         what.every = every;
         *good = judge_pieces(&what, &view, ink.piece, ink.n, out) == 0 && ink.lost == 0 && cases_good(out);
+        out->end_steps = fmax(out->end_steps, ink.moved);
     }
     free(ink.piece);
     return err;

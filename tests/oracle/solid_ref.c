@@ -105,14 +105,18 @@ static double distance(const solid_ref_t *r, int v, const double p[3]) {
     return fabs(r->vertex[v].x - p[0]) + fabs(r->vertex[v].y - p[1]) + fabs(r->vertex[v].z - p[2]);
 }
 
-int solid_ref_find(const solid_ref_t *r, const double a[3], const double b[3], bool *turned) {
+int solid_ref_find(const solid_ref_t *r, const double a[3], const double b[3], double within, bool *turned) {
+    int nearest = -1;
     for (int k = 0; k < r->ne; k++)
         for (int t = 0; t < 2; t++) {
-            if (distance(r, r->edge[k][t], a) + distance(r, r->edge[k][1 - t], b) > 1e-6 * r->size) continue;
+            double off = distance(r, r->edge[k][t], a) + distance(r, r->edge[k][1 - t], b);
+            if (off > within) continue;
+            within = off;
+            nearest = k;
             *turned = t;
-            return k;
+            if (off <= 1e-7 * r->size) return k; /* as good as the same */
         }
-    return -1;
+    return nearest;
 }
 
 static vec_t to_eye(const solid_ref_t *r, vec_t p) {

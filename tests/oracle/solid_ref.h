@@ -26,8 +26,9 @@ void solid_ref_face(solid_ref_t *r, const int *v, int n);
 void solid_ref_line(solid_ref_t *r, int a, int b);
 /* Finds the edges. */
 void solid_ref_finish(solid_ref_t *r);
-/* The edge between two places, to 1e-6 of the scene; -1 if there is none. *turned: it runs from b to a. */
-int solid_ref_find(const solid_ref_t *r, const double a[3], const double b[3], bool *turned);
+/* The edge between two places that are at most so far from its own; -1 if there is none. *turned: it runs from b to a.
+ */
+int solid_ref_find(const solid_ref_t *r, const double a[3], const double b[3], double within, bool *turned);
 /* What of the segment is hidden. Faces in whose plane both points of `own` lie do not count. either: where a line of
  * sight only touches a face's border; may be NULL. */
 void solid_ref_hidden(const solid_ref_t *r, const exact_point_t at[2], const exact_point_t own[2], spans_t *hidden,

@@ -69,19 +69,9 @@ static const row_t *find(const char *kernel, const char *family, int size) {
 
 /* Why each of them is there; k: the cubes to compare. */
 static void write_verdict(int k) {
-    const row_t *fine = find("halo", "lattice", 300), *coarse = fine;
-    while (coarse + 1 < row + rows && !strcmp(coarse[1].family, "lattice")) coarse++;
-    printf(
-        "\n**Shipped: all four, on the page's lattice of %.1f units in a step.** The convex kernel draws edges in "
-        "1/%.0f of "
-        "the area sort's time (%d x %d cubes), which is there for what only polygons can say: shadows and hatching. A "
-        "coarser lattice is no faster (haloes with %.1f units in a step %.0f ns per edge, as shipped %.0f), and "
-        "rounded "
-        "ends no longer meet or pass as they did: with the next coarser one a halo's gap of %.0f steps has already "
-        "changed.\n",
-        LAT_PER_STEP, find("area", "cubes", k)->seconds / find("convex", "cubes", k)->seconds, k, k, coarse->per_step,
-        1e9 * coarse->seconds / (double)coarse->elements, 1e9 * fine->seconds / (double)fine->elements,
-        fmax(fine[1].missing, fine[1].falsely));
+    printf("\n**Shipped: all four.** The convex kernel draws edges in 1/%.0f of the area sort's time (%d x %d cubes), "
+           "which is there for what only polygons can say: shadows and hatching.\n",
+           find("area", "cubes", k)->seconds / find("convex", "cubes", k)->seconds, k, k);
 }
 
 int main(int argc, char **argv) {

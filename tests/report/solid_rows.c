@@ -111,6 +111,11 @@ void solid_rows_bits(void) {
         solid_scene_cubes(&s, 7);
         solids(add_row(kernel, "cubes", 7, NAN), &s, area, 0);
         solid_scene_free(&s);
+        for (int ball = 0; ball < 2; ball++) {
+            solid_scene_round(&s, 12, ball ? 0 : 2.5);
+            solids(add_row(kernel, ball ? "ball" : "torus", 12, NAN), &s, area, 0);
+            solid_scene_free(&s);
+        }
         row_t *w = add_row(kernel, "random", 8, NAN);
         for (uint64_t seed = 0; seed < 25; seed++) {
             solid_scene_random(&s, 1971 + seed, 8);
@@ -148,12 +153,12 @@ static int draw_wires(void *ctx) {
     return err ? err : halo_draw(&w->h, w->width, &(halo_sink_t){w, take_piece});
 }
 
-/* On a lattice coarser by 2^shift. */
-static void wires(const char *family, int size, halo_edge_t *edge, int32_t n, int32_t width, int shift) {
-    row_t *w = add_row("halo", family, size, LAT_PER_STEP / (1 << shift));
+/* On a lattice whose unit is so many lat. */
+static void wires(const char *family, int size, halo_edge_t *edge, int32_t n, int32_t width, double unit) {
+    row_t *w = add_row("halo", family, size, LAT_PER_STEP / unit);
     halo_edge_t *coarse = malloc((size_t)n * sizeof *coarse);
-    wires_t x = {.edge = coarse, .n = n, .width = width >> shift, .bytes = HALO_BYTES(n, 12 * (size_t)n + 4096)};
-    const double unit = 1 << shift;
+    wires_t x = {
+        .edge = coarse, .n = n, .width = (int32_t)lround(width / unit), .bytes = HALO_BYTES(n, 12 * (size_t)n + 4096)};
     x.mem = malloc(x.bytes);
     x.piece = malloc((13 * (size_t)n + 4096) * sizeof *x.piece);
     if (!coarse || !x.mem || !x.piece) abort();
@@ -171,7 +176,7 @@ static void wires(const char *family, int size, halo_edge_t *edge, int32_t n, in
         const halo_ref_report_t r = halo_ref_judge(edge, n, width, false, 1, x.piece, x.pieces);
         w->missing = r.missing / LAT_PER_STEP;
         w->falsely = r.falsely / LAT_PER_STEP;
-        w->wrong = shift == 0 && r.beyond > 0;
+        w->wrong = unit <= 1 && r.beyond > 0;
     }
     w->scenes = 1;
     w->elements = n;
@@ -193,15 +198,11 @@ static void all_wires(void) {
     if (!edge) abort();
     for (int k = 0; k < (quick ? 2 : 6); k++) {
         halo_scene_random(edge, random[k].n, random[k].length);
-        wires("random edges", random[k].n, edge, random[k].n, (int32_t)(.02 * random[k].length * HALO_SCENE_PAGE), 0);
+        wires("random edges", random[k].n, edge, random[k].n, (int32_t)(.02 * random[k].length * HALO_SCENE_PAGE), 1);
     }
     for (int k = 0; k < (quick ? 2 : 5); k++) {
         double scale = halo_scene_cubes(edge, cubes[k]);
-        wires("cubes", cubes[k], edge, 12 * cubes[k] * cubes[k], (int32_t)(.05 * scale), 0);
-    }
-    for (int shift = 0; shift <= 8; shift += quick ? 8 : 2) {
-        halo_scene_random(edge, 300, .1);
-        wires("lattice", 300, edge, 300, (int32_t)(.002 * HALO_SCENE_PAGE), shift);
+        wires("cubes", cubes[k], edge, 12 * cubes[k] * cubes[k], (int32_t)(.05 * scale), 1);
     }
     free(edge);
 }
@@ -232,13 +233,12 @@ static bool is_false(unsigned in, const void *ctx) {
     return (void)ctx, in >= 4 && in < 7;
 }
 
-/* The intersection of two stars with holes on a lattice coarser by 2^shift. */
-static void clip(const char *family, int spiky, int n, int shift) {
-    row_t *w = add_row("clip", family, n, LAT_PER_STEP / (1 << shift));
+/* The intersection of two stars with holes on a lattice whose unit is so many lat. */
+static void clip(int spiky, int n, double unit) {
+    row_t *w = add_row("clip", STARS_NAME[spiky], n, LAT_PER_STEP / unit);
     const int32_t most = 64 * n + 64;
     poly_vertex_t *fine[2];
     stars_t s = {.end = {n, 2 * n}, .bytes = CLIP_BYTES(4 * n) * (spiky ? 6 : 1)};
-    const double unit = 1 << shift;
     s.out = (clip_out_t){.v = malloc((size_t)most * sizeof *s.out.v), .end = malloc((size_t)most * sizeof *s.out.end)};
     s.out.n_max = s.out.contours_max = most;
     s.mem = malloc(s.bytes);
@@ -257,7 +257,10 @@ static void clip(const char *family, int spiky, int n, int shift) {
     w->seconds = least(clip_stars, &s, .2);
     w->missing = w->falsely = NAN;
     if (n <= 100) {
-        for (int k = 0; k < s.out.n; k++) s.out.v[k].at.x *= 1 << shift, s.out.v[k].at.y *= 1 << shift;
+        for (int k = 0; k < s.out.n; k++) {
+            poly_point_t *p = &s.out.v[k].at;
+            *p = (poly_point_t){(int32_t)lround(p->x * unit), (int32_t)lround(p->y * unit)};
+        }
         const poly_t a = {fine[0], s.end, 2}, b = {fine[1], s.end, 2}, r = {s.out.v, s.out.end, s.out.contours};
         const slab_scene_t scene = {.poly = {&a, &b, &r}, .polys = 3};
         const double length = LAT_PER_STEP * slab_border(&r);
@@ -280,9 +283,24 @@ static void clip(const char *family, int spiky, int n, int shift) {
 
 static void all_clips(void) {
     for (int spiky = 0; spiky < 2; spiky++)
-        for (int k = 0; k < (quick ? 2 : 4) && STARS_N[spiky][k]; k++)
-            clip(STARS_NAME[spiky], spiky, STARS_N[spiky][k], 0);
-    for (int shift = 0; shift <= 8; shift += quick ? 8 : 2) clip("lattice", 1, 100, shift);
+        for (int k = 0; k < (quick ? 2 : 4) && STARS_N[spiky][k]; k++) clip(spiky, STARS_N[spiky][k], 1);
+}
+
+void solid_rows_page_bits(void) {
+    static const double bits[] = {8, 4, 2, 0};
+    halo_edge_t *edge = malloc(1000 * sizeof *edge);
+    if (!edge) abort();
+    quick = true;
+    for (int k = -1; k < 4; k++) {
+        const double unit = k < 0 ? 1 : LAT_PER_STEP / exp2(bits[k]);
+        halo_scene_random(edge, 300, .1);
+        wires("random edges", 300, edge, 300, (int32_t)(.002 * HALO_SCENE_PAGE), unit);
+        const double scale = halo_scene_cubes(edge, 4);
+        wires("cubes", 4, edge, 12 * 4 * 4, (int32_t)(.05 * scale), unit);
+        clip(0, 100, unit);
+        clip(1, 100, unit);
+    }
+    free(edge);
 }
 
 void solid_rows_measure(bool small) {

@@ -29,11 +29,12 @@ typedef struct row {
 extern row_t row[ROWS];
 extern int rows;
 
-/* Fills them: family by family in the order of size; those of "lattice" from what is shipped to the coarsest. quick: a
- * few small scenes. */
+/* Fills them: family by family in the order of size. quick: a few small scenes. */
 void solid_rows_measure(bool quick);
 
 /* Fills them with a few families of solids alone, for solid_bits.c. */
 void solid_rows_bits(void);
+/* And with haloes and the clipper, whose lattice is that of the page, at several numbers of bits. */
+void solid_rows_page_bits(void);
 
 #endif
