@@ -51,7 +51,8 @@ typedef struct area_sink {
     /* A visible part of a line that no polygon ends in: free segments, edges of faces that are seen edge-on. From and
      * to are fractions of what of it is in front of the eye. */
     int (*wire)(void *ctx, int32_t edge, int32_t from_q30, int32_t to_q30);
-    int32_t window_faces; /* most polygons in a window of the screen subdivision; 0: what was found to be best */
+    int32_t window_faces; /* most polygons in a window of the screen subdivision; 0: what was found to be best;
+                             INT32_MAX: one window, with as many pieces as the memory takes */
 } area_sink_t;
 
 /* Memory for a scene of so many faces with so many corners: in one window unless it is cut up very much. */

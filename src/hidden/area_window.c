@@ -265,7 +265,8 @@ static int lay_out(area_t *a, const solid_map_t *m, void *mem, size_t bytes) {
     a->stats->polygons = a->faces.n;
     b = before;
     take(&b, (size_t)a->faces.vertices * sizeof(poly_vertex_t));
-    int32_t pieces = a->faces.n * PIECES_PER_FACE + 64;
+    const bool whole = a->sink->window_faces == INT32_MAX;
+    int32_t pieces = whole ? INT32_MAX : a->faces.n * PIECES_PER_FACE + 64;
     if ((size_t)pieces > b.left / 4 / sizeof(area_piece_t)) pieces = (int32_t)(b.left / 4 / sizeof(area_piece_t));
     area_piece_t *piece = take(&b, (size_t)pieces * sizeof *piece);
     a->clip_bytes = b.left / CLIP_SHARE;

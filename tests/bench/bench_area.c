@@ -69,28 +69,6 @@ static void measure(const char *name, const solid_ref_t *body, int64_t rot_x, in
     solid_stage_free(&stage);
 }
 
-static void rectangle(solid_ref_t *r, double x, double y, double w, double h, double z) {
-    const int v[4] = {solid_ref_vertex(r, x, y, z), solid_ref_vertex(r, x + w, y, z),
-                      solid_ref_vertex(r, x + w, y + h, z), solid_ref_vertex(r, x, y + h, z)};
-    solid_ref_face(r, v, 4);
-}
-
-static void covered(solid_ref_t *r, int n) {
-    int k = (int)sqrt(n);
-    rectangle(r, -1, -1, k + 1, k + 1, 1);
-    for (int i = 0; i < n; i++) rectangle(r, i % k, i / k, 0.7, 0.7, -0.001 * (i * 7919 % n));
-}
-static void shingles(solid_ref_t *r, int n) {
-    int k = (int)sqrt(n);
-    for (int i = 0; i < n; i++) rectangle(r, i % k, i / k, 1.4, 1.3, 0.001 * i);
-}
-static void lattice(solid_ref_t *r, int n) {
-    for (int i = 0; i < n / 2; i++) {
-        rectangle(r, -1, i, n / 2 + 1, 0.5, i % 2);
-        rectangle(r, i, -1, 0.5, n / 2 + 1, 0.5 + 0.001 * i);
-    }
-}
-
 static void grow(const char *name, void (*make)(solid_ref_t *r, int n), int first, int last) {
     for (int whole = 0; whole < 2; whole++) {
         before.polygons = 0;
@@ -120,8 +98,8 @@ int main(void) {
     solid_body_round(&body, 54, 0);
     measure("ball", &body, 65, 0);
     solid_ref_free(&body);
-    grow("behind one", covered, 64, 4096);
-    grow("shingles", shingles, 64, 4096);
-    grow("woven bars", lattice, 16, 256);
+    grow("behind one", solid_body_covered, 64, 4096);
+    grow("shingles", solid_body_shingles, 64, 4096);
+    grow("woven bars", solid_body_woven, 16, 256);
     return 0;
 }

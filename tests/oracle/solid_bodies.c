@@ -38,6 +38,30 @@ void solid_body_round(solid_ref_t *r, int n, double hole) {
     free(v);
 }
 
+static void rectangle(solid_ref_t *r, double x, double y, double w, double h, double z) {
+    const int v[4] = {solid_ref_vertex(r, x, y, z), solid_ref_vertex(r, x + w, y, z),
+                      solid_ref_vertex(r, x + w, y + h, z), solid_ref_vertex(r, x, y + h, z)};
+    solid_ref_face(r, v, 4);
+}
+
+void solid_body_covered(solid_ref_t *r, int n) {
+    int k = (int)sqrt(n);
+    rectangle(r, -1, -1, k + 1, k + 1, 1);
+    for (int i = 0; i < n; i++) rectangle(r, i % k, i / k, 0.7, 0.7, -0.001 * (i * 7919 % n));
+}
+
+void solid_body_shingles(solid_ref_t *r, int n) {
+    int k = (int)sqrt(n);
+    for (int i = 0; i < n; i++) rectangle(r, i % k, i / k, 1.4, 1.3, 0.001 * i);
+}
+
+void solid_body_woven(solid_ref_t *r, int n) {
+    for (int i = 0; i < n / 2; i++) {
+        rectangle(r, -1, i, n / 2 + 1, 0.5, i % 2);
+        rectangle(r, i, -1, 0.5, n / 2 + 1, 0.5 + 0.001 * i);
+    }
+}
+
 static void start(solid_scene_t *s) {
     *s = (solid_scene_t){0};
     settings_default(&s->set);

@@ -30,6 +30,11 @@ void solid_scene_round(solid_scene_t *s, int n, double hole);
 /* Those bodies alone, without the edges that only the reference needs. */
 void solid_body_cubes(solid_ref_t *r, int k);
 void solid_body_round(solid_ref_t *r, int n, double hole);
+/* The environments of Weiler and Atherton's introduction: n rectangles that one covers, n of which each is seen in
+ * part, as one piece, and n bars that divide each other. */
+void solid_body_covered(solid_ref_t *r, int n);
+void solid_body_shingles(solid_ref_t *r, int n);
+void solid_body_woven(solid_ref_t *r, int n);
 void solid_scene_free(solid_scene_t *s);
 /* Its faces and lines as the program has them. */
 void solid_scene_mesh(const solid_ref_t *r, mesh_t *m);

@@ -86,6 +86,14 @@ static void draw_axis(FILE *out, axis_t a, bool of_y) {
     }
 }
 
+static void draw_mark(FILE *out, int s, double x, double y) {
+    const char *c = colour[s % COLOURS];
+    if (s < COLOURS)
+        fprintf(out, "<circle cx='%.1f' cy='%.1f' r='3' fill='%s'/>\n", x, y, c);
+    else
+        fprintf(out, "<rect x='%.1f' y='%.1f' width='6' height='6' fill='none' stroke='%s'/>\n", x - 3, y - 3, c);
+}
+
 static void draw_series(FILE *out, const figure_t *f, int s, axis_t x, axis_t y) {
     const char *c = colour[s % COLOURS];
     const char *verb = "M";
@@ -103,15 +111,11 @@ static void draw_series(FILE *out, const figure_t *f, int s, axis_t x, axis_t y)
         const figure_point_t *p = &f->point[i];
         if (p->series != s) continue;
         double at_x = px(x, p->x), at_y = py(y, p->y);
-        if (s < COLOURS)
-            fprintf(out, "<circle cx='%.1f' cy='%.1f' r='3' fill='%s'/>\n", at_x, at_y, c);
-        else
-            fprintf(out, "<rect x='%.1f' y='%.1f' width='6' height='6' fill='none' stroke='%s'/>\n", at_x - 3, at_y - 3,
-                    c);
+        draw_mark(out, s, at_x, at_y);
         if (p->label) fprintf(out, "<text x='%.1f' y='%.1f' fill='%s'>%s</text>\n", at_x + 5, at_y - 4, c, p->label);
     }
-    fprintf(out, "<circle cx='%g' cy='%d' r='3' fill='%s'/><text x='%g' y='%d'>%s</text>\n", LEFT + PLOT_WIDTH + 18,
-            50 + 17 * s, c, LEFT + PLOT_WIDTH + 28, 54 + 17 * s, f->name[s]);
+    draw_mark(out, s, LEFT + PLOT_WIDTH + 18, 50 + 17 * s);
+    fprintf(out, "<text x='%g' y='%d'>%s</text>\n", LEFT + PLOT_WIDTH + 28, 54 + 17 * s, f->name[s]);
 }
 
 void figure_write(const figure_t *f, const char *name) {

@@ -95,7 +95,7 @@ costs() {
     "$bin/report_simplify" "$out"
     costs
     sh tests/report/boards.sh "$1" "$out"
-    for s in formats hard needs papers solids bits; do section $s; done
+    for s in formats hard needs papers solids growth bits; do section $s; done
     echo
     echo '![error over bits and families](landscape.svg)'
     echo
