@@ -86,7 +86,10 @@ costs() {
     echo '# The numbers report'
     echo
     echo 'Written by `make report`. Seeds are fixed: the same commit gives the same numbers, times aside.'
-    printf 'Versions: %s; %s; %s.\n' "$(${CC:-gcc} --version | head -1)" "$(uname -sm)" "$(valgrind --version 2>/dev/null || echo no valgrind)"
+    printf 'Versions: %s; %s; %s;\n' "$(${CC:-gcc} --version | head -1)" "$(uname -sm)" "$(valgrind --version 2>/dev/null || echo no valgrind)"
+    printf '%s;\n' "$(${CROSS:-arm-none-eabi-}gcc --version | head -1)"
+    printf '%s; node %s; rp2040js %s.\n' "$(qemu-system-arm --version | head -1)" "$(node --version)" \
+        "$(sed -n 's/.*"rp2040js": "\(.*\)".*/\1/p' tests/emu/package.json)"
     echo 'A step is 0.0125 mm on A4. Errors are told by `tests/oracle/judge.h`, against an exact reference: ink is missing'
     echo 'where a line is visible, also when moved by one step, and not drawn; false where it is drawn and hidden, also then.'
     echo 'Every table is there as `.tsv`, too.'

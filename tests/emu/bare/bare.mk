@@ -9,10 +9,10 @@ BARE_m3     := -mcpu=cortex-m3 0 0x20000000 0x20400000
 BARE_rp2040 := -mcpu=cortex-m0plus 0x20000000 0x2001c000 0x20042000
 BARE_CFLAGS := -std=c11 -O2 -ffreestanding -ffunction-sections -fdata-sections $(WARN) -MMD -MP -Isrc -I.
 bare_lds     = -nostartfiles --specs=nano.specs -mthumb -Wl,--gc-sections -Wl,--fatal-warnings -T tests/emu/bare/bare.ld \
-    $(foreach k,2 3 4,-Wl,--defsym=$(word $k,- CODE DATA STACK)=$(word $k,$(BARE_$1)))
+    $(foreach k,2 3 4,-Wl,--defsym=$(word $k,- CODE DATA STACK)=$(word $k,$(or $(BARE_$1_$2),$(BARE_$1))))
 BARE_COMMON := tests/emu/bare/integer_scene.c
 # The same scenes everywhere: small ones, and large ones to count by. The folders that the kernels need; what is not called is left out by the linker.
-BARE_CORE := $(filter src/error.c src/num/% src/scene/% src/view/% src/hidden/%,$(CORE_SRC))
+BARE_CORE := $(filter src/error.c src/num/% src/scene/% src/view/% src/hidden/% src/poly/%,$(CORE_SRC))
 BARE_DEFS_count := -DINTEGER_SCENE_SIDE=40 -DINTEGER_SCENE_BYTES=114688
 
 define bare_core
@@ -22,7 +22,7 @@ $(BARE)/$1-$2/%.o: %.c
 	$$(Q)$(CROSS)gcc $(word 1,$(BARE_$1)) -mthumb $(BARE_CFLAGS) $(BARE_DEFS_$2) -c $$< -o $$@
 $(BARE)/$2-$1.elf: $(patsubst %.c,$(BARE)/$1-$2/%.o,tests/emu/bare/$2.c tests/emu/bare/bare_arm.c $(BARE_COMMON) $(BARE_SRC_$2) $(BARE_CORE)) tests/emu/bare/bare.ld
 	$$(call say,LD,$$@)
-	$$(Q)$(CROSS)gcc $(word 1,$(BARE_$1)) $(call bare_lds,$1) $(BARE_LDS_$2) $$(filter %.o,$$^) $(BARE_LIBS_$2) -o $$@
+	$$(Q)$(CROSS)gcc $(word 1,$(BARE_$1)) $(call bare_lds,$1,$2) $(BARE_LDS_$2) $$(filter %.o,$$^) $(BARE_LIBS_$2) -o $$@
 	$$(Q)$(CROSS)objcopy -O binary $$@ $$(@:.elf=.bin)
 endef
 $(eval $(call bare_core,m0,same))
@@ -38,7 +38,12 @@ BOARD_NEEDS += $(BARE)/same $(BARE)/same-m0.elf $(BARE)/same-m3.elf
 
 # What is counted for `make report` (tests/report/boards.sh).
 BARE_SRC_count  := tests/emu/bare/formats.c tests/report/lattice.c
-BARE_LDS_count  := $(addprefix -Wl$(comma)--wrap=,chart_init chart_row horizons_init horizons_clip)
+BARE_LDS_count  := $(addprefix -Wl$(comma)--wrap=,chart_row horizons_clip)
 BARE_LIBS_count := -lm
-$(foreach c,m0an m3 rp2040,$(eval $(call bare_core,$c,count)))
-BARE_COUNTS := $(BARE)/count-m0an.elf $(BARE)/count-m3.elf $(BARE)/count-rp2040.elf $(BARE)/counter.so $(EMUDIR)/node_modules/.ready
+# Solids apart: a Pico's RAM does not take the code of both.
+BARE_rp2040_count_solids := -mcpu=cortex-m0plus 0x20000000 0x20024000 0x20042000
+BARE_DEFS_count_solids := -DCOUNT_BYTES=98304
+BARE_SRC_count_solids  := src/lang/settings.c src/motion/machine.c
+BARE_LIBS_count_solids := -lm
+$(foreach c,m0an m3 rp2040,$(eval $(call bare_core,$c,count)) $(eval $(call bare_core,$c,count_solids)))
+BARE_COUNTS := $(foreach c,m0an m3 rp2040,$(BARE)/count-$c.elf $(BARE)/count_solids-$c.elf) $(BARE)/counter.so $(EMUDIR)/node_modules/.ready
