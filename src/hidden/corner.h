@@ -39,11 +39,16 @@ static inline enum facet_kind corner_judge(sweep_t *s, const corner_t *q) {
     if (s->last == FACET_BELOW && advance_lower(s, q)) return FACET_BELOW;
     const int32_t top = pencil_max(q->f.w, pencil_max(q->l.w, q->r.w));
     const int32_t bottom = pencil_min(q->f.w, pencil_min(q->l.w, q->r.w));
-    h->skip_upper = h->has_upper && envelope_hides(&h->upper, q->l.a, q->r.a, top);
-    h->skip_lower = h->has_lower && envelope_hides(&h->lower, q->l.a, q->r.a, -bottom);
+    h->skip_upper = h->has_upper && horizons_hide_below(h, q->l.a, q->r.a, top);
+    h->skip_lower = h->has_lower && horizons_hide_above(h, q->l.a, q->r.a, bottom);
     if ((h->skip_upper || !h->has_upper) && (h->skip_lower || !h->has_lower)) return FACET_HIDDEN;
-    if (!h->skip_upper && s->last != FACET_ABOVE && advance_upper(s, q)) return FACET_ABOVE;
-    if (!h->skip_lower && s->last != FACET_BELOW && advance_lower(s, q)) return FACET_BELOW;
+    /* A near corner that is hidden is no vertex of the horizon. */
+    if (!h->skip_upper && s->last != FACET_ABOVE && !lowest_hides(&h->lowest_upper, q->n.a, q->n.a, q->n.w) &&
+        advance_upper(s, q))
+        return FACET_ABOVE;
+    if (!h->skip_lower && s->last != FACET_BELOW && !lowest_hides(&h->lowest_lower, q->n.a, q->n.a, -q->n.w) &&
+        advance_lower(s, q))
+        return FACET_BELOW;
     return FACET_CUT;
 }
 

@@ -104,6 +104,17 @@ int edges_clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
     return 0;
 }
 
+/* Stretches for lowest.h, as a power of two: four to a column, if that takes a small part of the memory; or -1. */
+#define LOWEST_PER_COLUMN 4
+#define LOWEST_PART 16
+#define LOWEST_VERTICES(bits) ((((size_t)2 * sizeof(int16_t)) << (bits)) / sizeof(pencil_t))
+
+static int lowest_bits(int32_t columns, size_t vertices) {
+    int bits = 1;
+    while (bits < 24 && INT64_C(1) << bits < (int64_t)LOWEST_PER_COLUMN * columns) bits++;
+    return LOWEST_VERTICES(bits) <= vertices / LOWEST_PART ? bits : -1;
+}
+
 int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_t seen, int turn, pencil_t *pool,
                size_t count) {
     const bool windows = cover == COVER_WINDOWS;
@@ -115,8 +126,11 @@ int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_
         int err = windows_init(&e->windows, e->chart.grid->nx, pool + count, count * sizeof *pool);
         if (err != 0) return err;
     }
-    int err = horizons_init(&e->horizons, upper, lower, pool, count, edges_take_part, e);
+    int bits = windows || !CONFIG_LOWEST ? -1 : lowest_bits(e->chart.grid->nx, count);
+    size_t lent = bits < 0 ? 0 : LOWEST_VERTICES(bits);
+    int err = horizons_init(&e->horizons, upper, lower, pool + lent, count - lent, edges_take_part, e);
     e->horizons.upper_apart = turn < 0;
+    if (lent) horizons_lend(&e->horizons, (int16_t *)(void *)pool, bits);
     return err;
 }
 

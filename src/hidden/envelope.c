@@ -10,6 +10,8 @@
 #include "hidden/envelope.h"
 #include "error.h"
 
+#include <string.h>
+
 _Static_assert(2 * (31 + 31) + 2 <= 2 * 63, "an orientation is the difference of two 62-bit products");
 
 #define ONE_Q30 (INT32_C(1) << 30)
@@ -43,6 +45,30 @@ static void move_block(pencil_t *from, pencil_t *end, ptrdiff_t by) {
         }
     } else {
         for (pencil_t *p = from; p != end; p++) p[by] = *p;
+    }
+}
+
+/* Looks for the place by leaps that double, then by halves: vertices are only copied on the way. */
+void envelope_leap(envelope_t *h, int32_t a) {
+    ptrdiff_t known = 0, leap = ENVELOPE_NEAR;
+    if (h->r->a <= a) {
+        const ptrdiff_t all = h->end - h->r; /* r[known] is to go to the left */
+        while (known + leap < all && h->r[known + leap].a <= a) known += leap, leap *= 2;
+        for (; leap > 0; leap /= 2) {
+            if (known + leap < all && h->r[known + leap].a <= a) known += leap;
+        }
+        memmove(h->l, h->r, (size_t)(known + 1) * sizeof *h->l);
+        h->l += known + 1;
+        h->r += known + 1;
+    } else {
+        const ptrdiff_t all = h->l - h->base; /* l[-1 - known] is to go to the right */
+        while (known + leap < all && h->l[-1 - known - leap].a > a) known += leap, leap *= 2;
+        for (; leap > 0; leap /= 2) {
+            if (known + leap < all && h->l[-1 - known - leap].a > a) known += leap;
+        }
+        h->l -= known + 1;
+        h->r -= known + 1;
+        memmove(h->r, h->l, (size_t)(known + 1) * sizeof *h->l);
     }
 }
 

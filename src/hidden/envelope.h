@@ -17,6 +17,7 @@
 #ifndef ENVELOPE_H
 #define ENVELOPE_H
 
+#include "config.h"
 #include "view/pencil.h"
 #include <stdbool.h>
 #include <stddef.h>
@@ -114,9 +115,23 @@ static inline bool envelope_same(pencil_t p, pencil_t q) {
     return p.a == q.a && p.w == q.w;
 }
 
+#define ENVELOPE_NEAR 16 /* vertices: the gap goes farther by leaps */
+
+/* Moves the gap farther than that, as envelope_seek does. */
+void envelope_leap(envelope_t *h, int32_t a);
+
+static inline bool envelope_is_far(const envelope_t *h, int32_t a) {
+    return (h->end - h->r > ENVELOPE_NEAR && h->r[ENVELOPE_NEAR].a <= a) ||
+           (h->l - h->base > ENVELOPE_NEAR && h->l[-1 - ENVELOPE_NEAR].a > a);
+}
+
 /* Moves the gap so that everything up to and including a is on its left. */
 static inline void envelope_seek(envelope_t *h, int32_t a) {
     pencil_t *l = h->l, *r = h->r;
+    if (CONFIG_LOWEST && envelope_is_far(h, a)) {
+        envelope_leap(h, a);
+        return;
+    }
     while (r->a <= a) *l++ = *r++;
     while (l[-1].a > a) *--r = *--l;
     h->l = l;
@@ -134,6 +149,15 @@ static inline bool envelope_hides(envelope_t *h, int32_t a0, int32_t a1, int32_t
         p++;
     }
     return false;
+}
+
+/* How low h is from abscissa a0 to a1, or lower: the least of its vertices there and of those on either side. */
+static inline int32_t envelope_lowest(envelope_t *h, int32_t a0, int32_t a1) {
+    envelope_seek(h, a0);
+    const pencil_t *p = h->r;
+    int32_t least = pencil_min(h->l[-1].w, p->w);
+    while (p->a < a1) least = pencil_min(least, (++p)->w);
+    return least;
 }
 
 /* The common case of a surface that faces the eye: the horizon passes through n between its vertices l and r, and a

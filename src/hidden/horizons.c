@@ -9,6 +9,11 @@ int horizons_init(horizons_t *h, bool upper, bool lower, pencil_t *pool, size_t 
     return envelope_init(upper ? &h->upper : &h->lower, upper && lower ? &h->lower : NULL, pool, count);
 }
 
+void horizons_lend(horizons_t *h, int16_t *mem, int bits) {
+    if (h->has_upper) h->lowest_upper = lowest_make(mem, bits);
+    if (h->has_lower) h->lowest_lower = lowest_make(mem + (INT32_C(1) << bits), bits);
+}
+
 /* Hands a part on, turned round if the line runs from right to left. */
 static int pass_on(horizons_t *h, envelope_part_t part) {
     if (h->flip) {
@@ -92,11 +97,13 @@ int horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1) {
         return err != 0 || l.a == r.a ? err : horizons_raise(h, l, r);
     }
     if (l.a == r.a) return 0;
-    if (h->has_upper && !h->skip_upper) {
+    const int32_t top = pencil_max(l.w, r.w), bottom = pencil_min(l.w, r.w);
+    if (h->has_upper && !h->skip_upper && !lowest_hides(&h->lowest_upper, l.a, r.a, top)) {
         int n = envelope_clip(&h->upper, l, r, take_upper, h, &h->count);
         if (n < 0) return n;
     }
     if (!h->has_lower || h->skip_lower || h->whole) return 0;
+    if (lowest_hides(&h->lowest_lower, l.a, r.a, -bottom)) return 0;
     l.w = -l.w, r.w = -r.w;
     int n = envelope_clip(&h->lower, l, r, take_lower, h, &h->count);
     return n < 0 ? n : 0;

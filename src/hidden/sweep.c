@@ -169,6 +169,7 @@ void sweep_account(const sweep_t *s, hidden_stats_t *stats) {
     const horizons_t *h = &s->edges.horizons;
     int32_t upper = h->has_upper ? h->upper.peak : 0, lower = h->has_lower ? h->lower.peak : 0;
     size_t bytes = s->fixed + (size_t)(upper + lower) * sizeof(pencil_t);
+    bytes += lowest_bytes(&h->lowest_upper) + lowest_bytes(&h->lowest_lower);
     if (s->edges.cover == COVER_WINDOWS) {
         bytes += windows_bytes(&s->edges.windows);
         stats->windows = s->edges.windows.used;

@@ -50,7 +50,42 @@ static void test_perimeter(void **state) {
                   (long long)drawn, (long long)full, (double)least / (double)needed);
 }
 
+/* Larger surfaces, with memory for what is known of the horizons (lowest.h) and without: the same pieces. */
+static void test_lowest(void **state) {
+    (void)state;
+    int64_t facets = 0, pieces = 0;
+    int without = 0;
+    for (uint64_t seed = 7000; seed < 7000 + cases_scaled(150); seed++) {
+        scene_t s;
+        run_drawing_t plenty = {0}, little = {0};
+        hidden_stats_t stats, small;
+        scene_random(&s, seed, 60, false);
+        int err = run_perimeter(&s, &plenty, &stats);
+        if (err == 0) {
+            size_t bytes = stats.bytes - stats.bytes / 8; /* some of it was for that */
+            while ((err = run_perimeter_in(&s, &little, bytes, &small)) == ERR_FULL) {
+                run_drawing_free(&little);
+                little = (run_drawing_t){0};
+                bytes += bytes / 16;
+            }
+            assert_int_equal(err, 0);
+            without += small.bytes < stats.bytes;
+            assert_int_equal(little.n, plenty.n);
+            for (size_t k = 0; k < plenty.n; k++)
+                assert_memory_equal(&little.piece[k], &plenty.piece[k], sizeof *plenty.piece);
+            facets += stats.facets;
+            pieces += (int64_t)plenty.n;
+        }
+        run_drawing_free(&little);
+        run_drawing_free(&plenty);
+        scene_free(&s);
+    }
+    assert_true(without > 0);
+    print_message("# memory: %d surfaces of %lld facets with less to remember horizons in, the same %lld pieces\n",
+                  without, (long long)facets, (long long)pieces);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_perimeter)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_perimeter), cmocka_unit_test(test_lowest)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
