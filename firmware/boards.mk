@@ -6,7 +6,7 @@ CPU_lm3s6965 := -mcpu=cortex-m3
 CPU_nrf51    := -mcpu=cortex-m0
 
 OPT_rp2040   := -O2
-OPT_lm3s6965 := -Os
+OPT_lm3s6965 := -Os -flto=auto
 # A function that is called once keeps a frame of its own there: 900 bytes of stack less.
 OPT_nrf51    := -Os -flto=auto -fno-inline-functions-called-once
 # 256 KB of flash hold every system but the area sort. Fast is what runs for each step; all else is small.

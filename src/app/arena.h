@@ -14,12 +14,16 @@ static inline size_t arena_left(const arena_t *a) {
     return a->bytes - a->used;
 }
 
-/* Bytes to the next address that is aligned to 16. */
+/* 8 on a board, where memory begins at a multiple of it: what fits must not depend on where the linker put the block.
+ */
+#define ARENA_ALIGN (2 * sizeof(void *))
+
+/* Bytes to the next address that is aligned. */
 static inline size_t arena_gap(const arena_t *a) {
-    return (size_t)(-(uintptr_t)(a->base + a->used) & 15u);
+    return (size_t)(-(uintptr_t)(a->base + a->used) & (ARENA_ALIGN - 1));
 }
 
-/* size bytes aligned to 16, or NULL. */
+/* size bytes, aligned, or NULL. */
 static inline void *arena_take(arena_t *a, size_t size) {
     size_t start = a->used + arena_gap(a);
     if (start > a->bytes || size > a->bytes - start) return NULL;

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 
 void halo_init(halo_t *h, void *mem, size_t bytes) {
-    const size_t skip = -(uintptr_t)mem & 15u;
+    const size_t skip = -(uintptr_t)mem & (2 * sizeof mem - 1);
     *h = (halo_t){
         .mem = (uint8_t *)mem + (skip < bytes ? skip : bytes), .bytes = skip < bytes ? bytes - skip : 0, .contact = 1};
     h->edge = (halo_edge_t *)(void *)h->mem;
