@@ -28,10 +28,6 @@ static int lay_out(clip_t *c, void *mem, size_t bytes) {
     return 0;
 }
 
-static bool in_range(poly_point_t a) {
-    return a.x >= -POLY_LIMIT && a.x <= POLY_LIMIT && a.y >= -POLY_LIMIT && a.y <= POLY_LIMIT;
-}
-
 /* Writes the edges of one contour from seg[n] on. A vertex that is the right end of both its edges needs a segment of
  * no length to be met at all. Returns the new n or an error. */
 static int32_t read_contour(const poly_vertex_t *v, int32_t vertices, int side, clip_seg_t *seg, int32_t n,
@@ -41,7 +37,7 @@ static int32_t read_contour(const poly_vertex_t *v, int32_t vertices, int side, 
     poly_point_t first_at = {0, 0};
     for (int32_t i = 0; i < vertices; i++) {
         poly_point_t a = v[i].at, b = v[i + 1 < vertices ? i + 1 : 0].at;
-        if (!in_range(a)) return ERR_VALUE;
+        if (!clip_in_range(a)) return ERR_VALUE;
         if (poly_same(a, b)) continue;
         if (n + 2 >= most) return ERR_FULL;
         bool forward = poly_before(a, b);
@@ -60,11 +56,10 @@ static int32_t read_contour(const poly_vertex_t *v, int32_t vertices, int side, 
     return n;
 }
 
-/* All edges, sorted, to the end of the memory. */
-static int read_edges(clip_t *c, const clip_job_t *job) {
-    int32_t n = 0, most = c->in_to / 2, first = 0;
+/* All edges. Returns how many, or an error. */
+static int32_t read_edges(clip_t *c, const clip_job_t *job) {
+    int32_t n = 0, most = c->in_to / 2;
     for (int side = 0; side < 2; side++) {
-        first = n;
         const poly_t *p = side ? &job->clip : &job->subject;
         int32_t from = 0;
         for (int32_t k = 0; k < p->contours; from = p->end[k++]) {
@@ -72,15 +67,7 @@ static int read_edges(clip_t *c, const clip_job_t *job) {
             if (n < 0) return n;
         }
     }
-    if (n <= CLIP_FEW) {
-        n = clip_cross_few(c, first, n, most);
-        if (n < 0) return n;
-        c->stats.sweeps = c->stats.crossings > 0; /* as good as one */
-    }
-    clip_sort(c->in, n, c->in + n);
-    c->in_from = c->in_to - n;
-    memmove(c->in + c->in_from, c->in, (size_t)n * sizeof(clip_seg_t));
-    return 0;
+    return n;
 }
 
 /* The last sweep's edges become the next one's input. From the last to the first: 24 bytes written at the end of the
@@ -102,11 +89,17 @@ static void again(clip_t *c) {
     if (c->snap) clip_snap_columns(c);
 }
 
-int clip_run(clip_t *c, const clip_job_t *job, void *mem, size_t bytes) {
+static void prepare(clip_t *c, const clip_job_t *job) {
     *c = (clip_t){.fill = job->fill, .result = {job->result[0], job->result[1]}};
-    int err = lay_out(c, mem, bytes);
-    if (!err) err = read_edges(c, job);
-    if (err) return err;
+}
+
+/* The n segments at the start of `in`, split where they cross and sorted, go to the end of the memory; then sweeps. */
+static int run(clip_t *c, int32_t n) {
+    clip_sort(c->in, n, c->in + n);
+    n = clip_cross(c, n);
+    c->stats.sweeps = c->stats.crossings > 0; /* as good as one */
+    c->in_from = c->in_to - n;
+    memmove(c->in + c->in_from, c->in, (size_t)n * sizeof(clip_seg_t));
     for (;;) {
         c->snap = c->stats.sweeps >= SWEEPS_WITHOUT_SNAP;
         clip_sweep(c);
@@ -116,4 +109,21 @@ int clip_run(clip_t *c, const clip_job_t *job, void *mem, size_t bytes) {
         again(c);
         if (c->full) return ERR_FULL;
     }
+}
+
+int clip_run_by_edges(clip_t *c, const clip_job_t *job, void *mem, size_t bytes) {
+    prepare(c, job);
+    int err = lay_out(c, mem, bytes);
+    if (err) return err;
+    int32_t n = read_edges(c, job);
+    return n < 0 ? n : run(c, n);
+}
+
+int clip_run(clip_t *c, const clip_job_t *job, void *mem, size_t bytes) {
+    prepare(c, job);
+    size_t left = bytes;
+    int32_t n = clip_find_stretches(c, job, mem, &left);
+    if (n == 0) return clip_run_by_edges(c, job, mem, bytes);
+    int err = lay_out(c, mem, left);
+    return err ? err : run(c, n);
 }

@@ -6,11 +6,12 @@
  * entering or leaving, has no answer where borders touch, coincide or run into vertices, and that is what faces of one
  * solid do all the time. So ours is another, right by construction:
  *
- *   1. All edges of both polygons become one planar graph. A plane sweep finds crossings between neighbours; each
- *      crossing is rounded to the nearest lattice point and both edges are split there. Rounding may make new
- *      crossings, so the sweep is repeated until one finds nothing to round. That last sweep proves that edges meet in
- *      end points only: were there a crossing, the leftmost one would be between neighbours (Shamos and Hoey 1976).
- *      A vertex on an edge splits it exactly; edges that coincide become one, their windings added.
+ *   1. All edges of both polygons become one planar graph. Crossings are rounded to the nearest lattice point and both
+ *      edges are split there: most of them beforehand, by comparing boxes (clip_cross.c), the others in a plane sweep
+ *      between neighbours. Rounding may make new crossings, so the sweep is repeated until one finds nothing to round.
+ *      That last sweep proves that edges meet in end points only: were there a crossing, the leftmost one would be
+ *      between neighbours (Shamos and Hoey 1976). A vertex on an edge splits it exactly; edges that coincide become
+ *      one, their windings added.
  *   2. The same sweep counts both winding numbers on either side of each edge, exactly, so every face of the graph
  *      is known to be in the subject, in the clip polygon, in both or in neither. The borders of a result are the edges
  *      with different answers on their sides, and at each vertex they alternate in and out around it.
@@ -21,8 +22,11 @@
  * ends soon: edges within half a unit of a rounded crossing are drawn to it (Hobby's snap rounding), and from the third
  * sweep on to any vertex; without that, bundles of nearly parallel edges creep towards each other unit by unit. Error:
  * every rounding moves an edge by at most half a unit in x and in y, and nothing is moved where nothing crosses between
- * lattice points. Two sweeps are the rule; tests/property/test_clip_random prints the most sweeps and the largest mean
- * displacement it saw on small lattices, where the worst happens.
+ * lattice points. tests/property/test_clip_random prints how many sweeps it took, counting crossings found beforehand
+ * as one, and the largest mean displacement it saw on small lattices, where the worst happens.
+ *
+ * Of large polygons most of the border meets nothing. Such stretches are found by their boxes and go through all this
+ * as one edge each (clip_stretch.c), which changes nothing but the time.
  *
  * Memory is the caller's, CLIP_BYTES(edges of both); ERR_FULL if crossings take more. No recursion. Cost: edges +
  * crossings times the logarithm of the edges that a vertical line meets. Context: main loop. */
@@ -57,10 +61,13 @@ typedef struct clip_job {
 
 /* The work area; its members are clip.c's, stats for anybody. */
 typedef struct clip {
-    struct clip_edge *edge; /* of the graph, from the start of the memory upwards */
-    struct clip_seg *in;    /* waiting edges [in_from, in_to), at the end of it */
-    struct clip_seg *heap;  /* second parts of edges that were split ahead of the sweep */
-    int32_t *status;        /* edges that the sweep line meets, from below */
+    struct clip_edge *edge;       /* of the graph, from the start of the memory upwards */
+    struct clip_seg *in;          /* waiting edges [in_from, in_to), at the end of it */
+    struct clip_seg *heap;        /* second parts of edges that were split ahead of the sweep */
+    int32_t *status;              /* edges that the sweep line meets, from below */
+    struct poly_vertex *v;        /* at the very end, copies: */
+    struct clip_stretch *stretch; /* stretches of border that are one edge of the graph; before this address */
+    int32_t stretches;
     int32_t edges, in_from, in_to, waiting, active;
     int32_t most_waiting, most_active;
     enum clip_fill fill;

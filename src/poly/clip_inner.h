@@ -21,6 +21,15 @@ typedef struct clip_edge {
     int32_t next[2];
 } clip_edge_t;
 
+/* Edges v[from] .. v[to] of the input that go through the sweep as one, their chord. */
+typedef struct clip_stretch {
+    int32_t from, to;
+} clip_stretch_t;
+
+/* Tags from here downwards: stretch[-1], stretch[-2], ... */
+#define CLIP_STRETCH (-2)
+#define CLIP_LAST INT32_MIN /* tag of a contour's first vertex when it comes again after its last */
+
 #define CLIP_NO_EDGE (-1)
 #define CLIP_TRACED (-2)
 
@@ -46,15 +55,25 @@ bool clip_is_near(const clip_seg_t *s, poly_point_t v);
 clip_seg_t clip_upright(clip_seg_t s);
 /* Draws steep falling edges of `in` to vertices near them in the columns of their ends. Sets full. */
 void clip_snap_columns(clip_t *c);
-/* Do a and b cross, in a point inside of both? And where, rounded to the nearest lattice point: it lies in the boxes of
- * both edges, whose corners are lattice points, so a split never leaves a longer way than before. */
-bool clip_do_cross(const clip_seg_t *a, const clip_seg_t *b);
+/* Where two edges cross, rounded to the nearest lattice point: it lies in the boxes of both edges, whose corners are
+ * lattice points, so a split never leaves a longer way than before. */
 poly_point_t clip_crossing(const clip_seg_t *a, const clip_seg_t *b);
-/* Splits the n segments of `in` where one of the subject, before `clip`, crosses one of the clip polygon: what a first
- * sweep would find and have to sweep again for. Where there are few edges, pairs cost less than that. Returns how many
- * segments there are then, or ERR_FULL. */
-#define CLIP_FEW 24
-int32_t clip_cross_few(clip_t *c, int32_t clip, int32_t n, int32_t most);
+/* Splits the n sorted segments at the start of `in` where they cross. Returns how many there are then, at most half of
+ * what fits, again sorted. */
+int32_t clip_cross(clip_t *c, int32_t n);
+static inline bool clip_in_range(poly_point_t a) {
+    return a.x >= -POLY_LIMIT && a.x <= POLY_LIMIT && a.y >= -POLY_LIMIT && a.y <= POLY_LIMIT;
+}
+
+/* Writes the edges of both polygons to the start of mem, with chords for stretches of border that meet nothing; sets v,
+ * stretch and stretches, and takes these off the bytes. Returns how many segments there are, or 0: not worth it, or
+ * something is wrong. */
+int32_t clip_find_stretches(clip_t *c, const clip_job_t *job, void *mem, size_t *bytes);
+/* The same as clip_run without that. */
+int clip_run_by_edges(clip_t *c, const clip_job_t *job, void *mem, size_t bytes);
+static inline clip_stretch_t clip_stretch_of(const clip_t *c, const clip_seg_t *s) {
+    return c->stretch[s->tag - CLIP_STRETCH - 1];
+}
 /* Sorts segments by their left ends. */
 void clip_sort(clip_seg_t *s, int32_t n, clip_seg_t *spare);
 

@@ -18,6 +18,17 @@ static int push(clip_out_t *out, int32_t first, poly_vertex_t v) {
     return 0;
 }
 
+/* The vertices of a stretch, but for the last, on the way that begins at one of its ends. */
+static int push_stretch(const clip_t *c, clip_stretch_t t, poly_point_t from, clip_out_t *out, int32_t first) {
+    int err = 0;
+    if (poly_same(from, c->v[t.from].at))
+        for (int32_t k = t.from; k < t.to && !err; k++) err = push(out, first, c->v[k]);
+    else
+        for (int32_t k = t.to; k > t.from && !err; k--)
+            err = push(out, first, (poly_vertex_t){c->v[k].at, c->v[k - 1].tag});
+    return err;
+}
+
 /* The contour that the edge bounds, as its number among those of this trace. */
 static int32_t contour_of(const clip_edge_t *e, int which) {
     return CLIP_TRACED - e->next[which];
@@ -38,7 +49,8 @@ static int trace_contour(clip_t *c, int which, int32_t start, int32_t number, cl
     do {
         clip_edge_t *e = &c->edge[k];
         poly_point_t at = clip_is_in_above(c, which, e) ? e->s.l : e->s.r;
-        int err = push(out, first, (poly_vertex_t){at, e->s.tag});
+        int err = e->s.tag > CLIP_STRETCH ? push(out, first, (poly_vertex_t){at, e->s.tag})
+                                          : push_stretch(c, clip_stretch_of(c, &e->s), at, out, first);
         if (err) return err;
         k = e->next[which];
         e->next[which] = CLIP_TRACED - number;
@@ -53,7 +65,14 @@ static int trace_contour(clip_t *c, int which, int32_t start, int32_t number, cl
 
 int32_t clip_count(const clip_t *c, int which) {
     int32_t n = 0;
-    for (int32_t k = 0; k < c->edges; k++) n += c->edge[k].next[which] >= 0;
+    for (int32_t k = 0; k < c->edges; k++) {
+        const clip_edge_t *e = &c->edge[k];
+        if (e->next[which] < 0) continue;
+        n++;
+        if (e->s.tag > CLIP_STRETCH) continue;
+        clip_stretch_t t = clip_stretch_of(c, &e->s);
+        n += t.to - t.from - 1;
+    }
     return n;
 }
 

@@ -16,7 +16,7 @@
 
 #include <cmocka.h>
 
-#include "poly/clip.h"
+#include "poly/clip_inner.h"
 #include "tests/oracle/run_cases.h"
 #include "tests/oracle/slab_area.h"
 
@@ -244,7 +244,128 @@ static void test_random(void **state) {
     assert_int_equal(failed, 0);
 }
 
+/* ---- large polygons ---- */
+
+/* A contour of n vertices: round with waves, in whole units, so that small ones have upright and level edges, vertices
+ * that repeat, and turn back on themselves. */
+static void random_round(shape_t *s, uint64_t *rng, double size) {
+    int n = 30 + scene_below(rng, 170), waves = scene_below(rng, 9);
+    double depth = scene_below(rng, 100) * .01, turn = scene_below(rng, 100), tall = .1 + scene_below(rng, 20) * .1;
+    double x = size * (scene_below(rng, 201) - 100) * .01, y = size * (scene_below(rng, 201) - 100) * .01;
+    for (int i = 0; i < n; i++, s->out.n++) {
+        double a = 2 * 3.14159265358979 * i / n, r = size * (1 + depth * cos(waves * a + turn));
+        poly_point_t at = {(int32_t)lrint(x + r * cos(a + turn)), (int32_t)lrint(y + r * tall * sin(a + turn))};
+        s->v[s->out.n] = (poly_vertex_t){at, s->out.n};
+    }
+    close_contour(s);
+}
+
+/* The shape with each edge in as many pieces as its ends allow, some of them. */
+static void refine(shape_t *s, uint64_t *rng) {
+    static shape_t from;
+    from = *s;
+    clear(s);
+    for (int c = 0, first = 0; c < from.out.contours; first = from.end[c++]) {
+        for (int i = first; i < from.end[c]; i++) {
+            poly_point_t a = from.v[i].at, b = from.v[i + 1 < from.end[c] ? i + 1 : first].at;
+            int pieces = scene_below(rng, 4) == 0 ? 1 : 1 + scene_below(rng, 40);
+            for (int k = 0; k < pieces; k++, s->out.n++) {
+                poly_point_t at = {a.x + (int32_t)lrint((double)(b.x - a.x) * k / pieces),
+                                   a.y + (int32_t)lrint((double)(b.y - a.y) * k / pieces)};
+                s->v[s->out.n] = (poly_vertex_t){at, s->out.n};
+            }
+        }
+        close_contour(s);
+    }
+}
+
+static void random_large(shape_t *s, uint64_t *rng, int kind, double size) {
+    clear(s);
+    if (kind < 2) {
+        int contours = 1 + scene_below(rng, 3);
+        for (int c = 0; c < contours; c++) random_round(s, rng, size);
+    } else {
+        random_shape(s, rng, 1 + scene_below(rng, 6), (int32_t)(size / 6) + 1, 0);
+        refine(s, rng);
+    }
+}
+
+/* Results must be the same, vertex by vertex, whether stretches of border are swept as one edge or not. */
+static const char *judge_large(enum clip_fill fill, bool slabs, bool *stretched) {
+    static shape_t plain[2];
+    clip_t work;
+    for (int k = 0; k < 6; k += 2) {
+        const clip_job_t job = {subject.poly, clip.poly, fill, {TABLE[k], TABLE[k + 1]}};
+        if (clip_run_by_edges(&work, &job, memory, sizeof memory)) return "error";
+        for (int i = 0; i < 2; i++) {
+            clear(&plain[i]);
+            if (clip_trace(&work, i, &plain[i].out)) return "error";
+        }
+        if (clip_run(&work, &job, memory, sizeof memory)) return "error";
+        *stretched = work.stretches > 0;
+        for (int i = 0; i < 2; i++) {
+            shape_t *r = &result[k + i];
+            int32_t counted = clip_count(&work, i);
+            clear(r);
+            if (clip_trace(&work, i, &r->out)) return "error";
+            r->poly.contours = r->out.contours;
+            if (counted < r->out.n) return "fewer were counted";
+            if (r->out.n != plain[i].out.n || r->out.contours != plain[i].out.contours) return "not the same contours";
+            if (memcmp(r->v, plain[i].v, (size_t)r->out.n * sizeof r->v[0])) return "not the same vertices";
+            if (memcmp(r->outer, plain[i].outer, (size_t)r->out.contours * sizeof(int32_t)))
+                return "not the same holes";
+        }
+    }
+    if (!slabs) return NULL;
+    double borders = slab_border(&subject.poly) + slab_border(&clip.poly);
+    for (int k = 0; k < 6; k++) {
+        slab_scene_t s = {
+            {&subject.poly, &clip.poly, &result[k].poly}, {fill == CLIP_NONZERO, fill == CLIP_NONZERO, false}, 3};
+        unsigned table = TABLE[k];
+        if (slab_area(&s, differs, &table) >
+            .5 * sqrt(2) * borders * (work.stats.sweeps - 1) + 1e-9 * borders * borders)
+            return "further off than rounding is";
+    }
+    return NULL;
+}
+
+static void test_large(void **state) {
+    (void)state;
+    static const double SIZES[] = {10, 40, 200, 3000, 1e5, 1e7, 1.5e8};
+    uint64_t first = cases_first(8500000000, cases_scaled(2000)), count = cases_scaled(2000);
+    int failed = 0, stretched = 0;
+    if (cases_only_seed(&first)) count = 1;
+    for (uint64_t seed = first; seed < first + count && failed < 5; seed++) {
+        uint64_t rng = seed;
+        int kind = scene_below(&rng, 3);
+        double size = SIZES[scene_below(&rng, sizeof SIZES / sizeof SIZES[0])];
+        random_large(&subject, &rng, kind, size);
+        if (kind == 2 || size < 1000) /* where edges of one polygon coincide, either's tag is right */
+            for (int k = 0; k < subject.out.n; k++) subject.v[k].tag = 0;
+        random_large(&clip, &rng, scene_below(&rng, 4) ? kind : 2 - kind, size);
+        if (scene_below(&rng, 4) == 0) { /* the same again, at its place or a bit beside it */
+            int32_t dx = scene_below(&rng, 3) - 1, dy = scene_below(&rng, 3) - 1;
+            clip = subject;
+            clip.poly = (poly_t){clip.v, clip.end, clip.out.contours};
+            for (int k = 0; k < clip.out.n; k++) clip.v[k].at.x += dx, clip.v[k].at.y += dy;
+        }
+        bool some = false;
+        const char *wrong = judge_large(seed % 4 ? CLIP_EVEN_ODD : CLIP_NONZERO, seed % 50 == 0, &some);
+        stretched += some;
+        if (!wrong) continue;
+        failed++;
+        print_message("# FAILED: RIDGELINE_SEED=%llu build/tests/property/test_clip_random: large: %s\n",
+                      (unsigned long long)seed, wrong);
+        print("subject", &subject);
+        print("clip", &clip);
+    }
+    print_message("# test_clip_random: %d pairs of up to 600 vertices each, %d with stretches swept as one edge\n",
+                  (int)count, stretched);
+    assert_int_equal(failed, 0);
+    if (count > 100) assert_true(stretched > (int)count / 10);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_random)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_random), cmocka_unit_test(test_large)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
