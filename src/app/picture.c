@@ -82,9 +82,9 @@ int picture_camera(picture_t *p, const num_t lo[3], const num_t hi[3]) {
     return 0;
 }
 
-static bool ink_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t_q30, page_point_t *out) {
+static bool ink_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t, page_point_t *out) {
     const picture_t *p = ctx;
-    return line_space_point(&p->lines[surface], family, line, t_q30, out);
+    return line_space_point(&p->lines[surface], family, line, t, out);
 }
 
 static int drop_ink(void *ctx, const ink_piece_t *piece) {

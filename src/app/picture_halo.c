@@ -99,11 +99,11 @@ static bool grid_edge(void *ctx, int32_t e, ink_piece_t *ink, page_h_t end[2], i
     if (!row) e -= row_edges(g);
     const int32_t cells = (row ? g->nx : g->ny) - 1, line = e / cells, cell = e % cells;
     *ink = (ink_piece_t){.family = row ? INK_ROW : INK_COL, .surface = (uint8_t)k, .line = line};
-    ink->from_q30 = cell * INK_ONE;
-    ink->to_q30 = ink->from_q30 + INK_ONE;
+    ink->from = cell * INK_GRID_ONE;
+    ink->to = ink->from + INK_GRID_ONE;
     const line_space_t *s = &f->p->lines[k];
-    if (!s->at(s->ctx, ink->family, line, ink->from_q30, &end[0])) return false;
-    if (!s->at(s->ctx, ink->family, line, ink->to_q30, &end[1])) return false;
+    if (!s->at(s->ctx, ink->family, line, ink->from, &end[0])) return false;
+    if (!s->at(s->ctx, ink->family, line, ink->to, &end[1])) return false;
     for (int at = 0; at < 2 && !s->perspective; at++)
         depth[at] = depth_of(f, k, row ? cell + at : line, row ? line : cell + at);
     return true;
@@ -126,7 +126,7 @@ static bool solid_edge(void *ctx, int32_t e, ink_piece_t *ink, page_h_t end[2], 
     const solid_map_t *m = ctx;
     const solid_edge_t *edge = &m->solid->edge[e];
     if (edge->first != e || solid_is_cut(edge)) return false;
-    *ink = (ink_piece_t){.family = INK_SEGMENT, .line = e, .to_q30 = INK_ONE};
+    *ink = (ink_piece_t){.family = INK_SEGMENT, .line = e, .to = INK_ONE};
     for (int k = 0; k < 2; k++) {
         end[k] = solid_map_vertex(m, edge->v[k]);
         depth[k] = -(m->place[edge->v[k]].z / ((1 << SOLID_Z_BITS) / HALO_INK_DEPTH)); /* there smaller is nearer */

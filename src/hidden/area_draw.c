@@ -148,9 +148,9 @@ static int emit(void *ctx, const interval_t *part) {
     const ink_piece_t piece = {.family = INK_SEGMENT,
                                .surface = part->line < ink->lattice.m->solid->ne ? 0 : LINE_DETAIL,
                                .line = part->line,
-                               .from_q30 = area_space(&ink->lattice, &e, part->from_q30),
-                               .to_q30 = area_space(&ink->lattice, &e, part->to_q30)};
-    if (piece.from_q30 >= piece.to_q30) return 0;
+                               .from = area_space(&ink->lattice, &e, part->from_q30),
+                               .to = area_space(&ink->lattice, &e, part->to_q30)};
+    if (piece.from >= piece.to) return 0;
     ink->stats->pieces++;
     return ink->sink->piece(ink->sink->ctx, &piece);
 }

@@ -7,25 +7,25 @@
 
 /* The shade that hides the edge at `at`: moves at to its end and returns true; otherwise *next is where the next one
  * begins, no farther than it was. */
-static bool in_shade(const edges_t *e, int32_t *at, int32_t *next) {
+static bool in_shade(const edges_t *e, int64_t *at, int64_t *next) {
     for (int32_t k = 0; k < e->shades; k++) {
-        const shade_t *v = &e->shade[k];
-        if (v->to_q30 <= *at || v->from_q30 >= v->to_q30) continue;
-        if (v->from_q30 <= *at) {
-            *at = v->to_q30;
+        const int64_t from = fine_of_q30(e->shade[k].from_q30), to = fine_of_q30(e->shade[k].to_q30);
+        if (to <= *at || from >= to) continue;
+        if (from <= *at) {
+            *at = to;
             return true;
         }
-        *next = pencil_min(*next, v->from_q30);
+        if (from < *next) *next = from;
     }
     return false;
 }
 
 /* Adds what of [from, to] lies in no shade. */
-static int add_lit(edges_t *e, int32_t from, int32_t to) {
+static int add_lit(edges_t *e, int64_t from, int64_t to) {
     const edges_edge_t *k = &e->edge;
-    const int64_t base = k->cell * INK_ONE;
+    const int64_t base = k->cell * INK_GRID_ONE;
     while (from < to) {
-        int32_t next = to;
+        int64_t next = to;
         if (in_shade(e, &from, &next)) continue;
         int err = runs_add(&e->runs, k->run, k->family, k->line, base + from, base + next);
         if (err != 0) return err;
@@ -34,22 +34,22 @@ static int add_lit(edges_t *e, int32_t from, int32_t to) {
     return 0;
 }
 
+/* How far along the part that is being clipped a fraction of the chart is in space. */
+static inline int64_t in_space(const edges_edge_t *k, int32_t at_q30) {
+    if (at_q30 == 0) return 0;
+    if (at_q30 == ONE_Q30) return k->way_q46;
+    const int64_t at = chart_unproject(at_q30, k->g0, k->g1);
+    return k->way_q46 == INK_GRID_ONE ? at : edges_scale(k->way_q46, at);
+}
+
 /* Places a part of the line on the edge in space. */
 static int place_part(edges_t *e, int32_t from, int32_t to) {
     const edges_edge_t *k = &e->edge;
-    if (from != 0 || to != ONE_Q30) {
-        from = chart_unproject(from, k->g0, k->g1);
-        to = chart_unproject(to, k->g0, k->g1);
-    }
-    if (k->way_q30 != ONE_Q30) {
-        from = scale_q30(k->way_q30, from);
-        to = scale_q30(k->way_q30, to);
-    }
-    from += k->start_q30, to += k->start_q30;
-    if (e->shades > 0) return add_lit(e, from, to);
-    if (from >= to) return 0;
-    const int64_t base = k->cell * INK_ONE;
-    return runs_add(&e->runs, k->run, k->family, k->line, base + from, base + to);
+    const int64_t a = k->start_q46 + in_space(k, from), b = k->start_q46 + in_space(k, to);
+    if (e->shades > 0) return add_lit(e, a, b);
+    if (a >= b) return 0;
+    const int64_t base = k->cell * INK_GRID_ONE;
+    return runs_add(&e->runs, k->run, k->family, k->line, base + a, base + b);
 }
 
 int edges_take_part(void *ctx, envelope_part_t part) {
@@ -69,9 +69,9 @@ int edges_take_part(void *ctx, envelope_part_t part) {
     return from < part.to_q30 ? place_part(e, from, part.to_q30) : 0;
 }
 
-int edges_take_unseen(edges_t *e, int32_t s0, int32_t s1) {
-    e->edge.start_q30 = s0;
-    e->edge.way_q30 = s1 - s0;
+int edges_take_unseen(edges_t *e, int64_t s0, int64_t s1) {
+    e->edge.start_q46 = s0;
+    e->edge.way_q46 = s1 - s0;
     if (e->outline_only || e->horizons.upper_apart || e->work == EDGES_COVER) return 0;
     return edges_take_part(e, (envelope_part_t){.to_q30 = ONE_Q30});
 }
@@ -93,7 +93,7 @@ static bool is_in_plane_of_eye(const edges_t *e) {
 }
 
 int edges_clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
-    if (e->chart.kind == CHART_VERTICAL) return edges_take_unseen(e, 0, ONE_Q30);
+    if (e->chart.kind == CHART_VERTICAL) return edges_take_unseen(e, 0, INK_GRID_ONE);
     if (envelope_vertical(p0, p1)) e->horizons.in_plane = is_in_plane_of_eye(e);
     if (e->cover == COVER_HORIZONS)
         return e->work == EDGES_LOOK ? horizons_look(&e->horizons, p0, p1) : horizons_clip(&e->horizons, p0, p1);
@@ -158,8 +158,8 @@ bool edges_column_is_vertical(const edges_t *e, const chart_line_t *line, const 
 int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run) {
     pencil_t p0 = line->at[i], p1 = line->at[i + 1];
     const chart_column_t *c = e->chart.column;
-    e->edge =
-        (edges_edge_t){.family = INK_ROW, .line = line->j, .cell = i, .run = run, .g0 = 1, .g1 = 1, .way_q30 = ONE_Q30};
+    e->edge = (edges_edge_t){
+        .family = INK_ROW, .line = line->j, .cell = i, .run = run, .g0 = 1, .g1 = 1, .way_q46 = INK_GRID_ONE};
     e->clipped += !e->outline_only && e->work != EDGES_COVER;
     if (e->chart.kind == CHART_EAST) {
         e->edge.g0 = c[i].r;
@@ -180,8 +180,8 @@ int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run) {
 int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i, run_t *run) {
     pencil_t p0 = line->at[i], p1 = next->at[i];
     const chart_column_t *c = e->chart.column;
-    e->edge =
-        (edges_edge_t){.family = INK_COL, .line = i, .cell = line->j, .run = run, .g0 = 1, .g1 = 1, .way_q30 = ONE_Q30};
+    e->edge = (edges_edge_t){
+        .family = INK_COL, .line = i, .cell = line->j, .run = run, .g0 = 1, .g1 = 1, .way_q46 = INK_GRID_ONE};
     e->clipped += !e->outline_only && e->work != EDGES_COVER;
     if (e->chart.kind == CHART_NORTH) {
         e->edge.g0 = line->r;

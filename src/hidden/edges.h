@@ -17,7 +17,7 @@ typedef struct edges_edge {
     run_t *run;
     uint32_t g0, g1;            /* reciprocal distances of the ends (of the part being clipped) */
     bool quiet;                 /* it only shapes the horizons: what is visible of it is known */
-    int32_t start_q30, way_q30; /* the part that is being clipped, in space */
+    int64_t start_q46, way_q46; /* the part that is being clipped, in space */
 } edges_edge_t;
 
 /* What remembers what is covered: two horizons; or they and the windows between them, for a surface with holes and for
@@ -83,8 +83,8 @@ typedef struct edges_segment {
     int64_t z[2]; /* |z| < 2^60 */
 } edges_segment_t;
 
-/* Gives what is visible of it to sink, as pieces of family INK_CURVE with parameters in space, 0 to INK_ONE; nothing is
- * covered by it. Returns 0 or the sink's error. */
+/* Gives what is visible of it to sink, as pieces of family INK_CURVE with parameters in space, 0 to INK_GRID_ONE;
+ * nothing is covered by it. Returns 0 or the sink's error. */
 int edges_look_at(edges_t *e, const edges_segment_t *s, const ink_sink_t *sink);
 
 /* Is the edge vertical in the chart? Such edges must be clipped before others that end in their vertices. */
@@ -109,7 +109,7 @@ static inline int64_t edges_mix(int64_t x, int64_t y, int32_t part_q30) {
 /* Adds a whole visible edge that the horizons know already. */
 static inline int edges_whole(edges_t *e, uint8_t family, int32_t line, int32_t cell, run_t *run) {
     e->clipped++;
-    return runs_add(&e->runs, run, family, line, cell * INK_ONE, (cell + 1) * INK_ONE);
+    return runs_add(&e->runs, run, family, line, cell * INK_GRID_ONE, (cell + 1) * INK_GRID_ONE);
 }
 
 #endif

@@ -7,7 +7,7 @@
 
 static bool vertex(const line_space_t *s, int32_t i, int32_t j, page_point_t *p) {
     page_h_t h;
-    if (!s->at(s->ctx, INK_ROW, j, i * INK_ONE, &h)) return false;
+    if (!s->at(s->ctx, INK_ROW, j, i * INK_GRID_ONE, &h)) return false;
     if (s->perspective && h.e < s->near_e) return false;
     *p = line_space_divide(s, &h);
     return true;
@@ -39,17 +39,16 @@ static int take(void *ctx, const ink_piece_t *p) {
     const grid_outline_t *o = ctx;
     if (p->family != INK_ROW && p->family != INK_COL) return o->next.piece(o->next.ctx, p);
     ink_piece_t run = *p;
-    run.to_q30 = run.from_q30;
-    for (int64_t at = p->from_q30, to; at < p->to_q30; at = to) {
-        to = (at & ~(INK_ONE - 1)) + INK_ONE;
-        if (to > p->to_q30) to = p->to_q30;
-        const bool keep = is_outline(o, p, (int32_t)(at / INK_ONE));
-        if (keep) run.to_q30 = to;
-        if (run.to_q30 > run.from_q30 && (!keep || to == p->to_q30)) {
+    run.to = run.from;
+    for (int64_t at = p->from, to; at < p->to; at = to) {
+        to = ink_next(p->family, at, p->to);
+        const bool keep = is_outline(o, p, (int32_t)(at >> INK_GRID_BITS));
+        if (keep) run.to = to;
+        if (run.to > run.from && (!keep || to == p->to)) {
             int err = o->next.piece(o->next.ctx, &run);
             if (err) return err;
         }
-        if (!keep) run.from_q30 = run.to_q30 = to;
+        if (!keep) run.from = run.to = to;
     }
     return 0;
 }

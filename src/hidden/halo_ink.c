@@ -45,20 +45,21 @@ static int64_t depth_e(const halo_ink_t *d, const view_t *v, int end) {
 static bool see(const halo_ink_t *d, int32_t e, view_t *v) {
     if (!d->source->edge(d->source->ctx, e, &v->ink, v->h, v->depth)) return false;
     const line_space_t *s = lines_of(d, &v->ink);
-    const int64_t start = v->ink.from_q30;
-    int64_t from = 0, to = INK_ONE;
+    const int64_t start = v->ink.from;
+    const int64_t one = ink_one(v->ink.family);
+    int64_t from = 0, to = one;
     if (!cut_between(s, &d->window, &v->h[0], &v->h[1], &from, &to)) return false;
     const page_h_t h0 = v->h[0], h1 = v->h[1];
     const int64_t deep = (int64_t)v->depth[1] - v->depth[0];
-    v->ink.to_q30 = start + to;
-    if (to < INK_ONE) {
-        v->h[1] = line_space_mix(&h0, &h1, (int32_t)to);
-        v->depth[1] = v->depth[0] + (int32_t)(deep * to / INK_ONE);
+    v->ink.to = start + to;
+    if (to < one) {
+        v->h[1] = line_space_between(v->ink.family, &h0, &h1, to);
+        v->depth[1] = v->depth[0] + (int32_t)ints_muldiv_round(deep, to, one);
     }
-    v->ink.from_q30 = start + from;
+    v->ink.from = start + from;
     if (from > 0) {
-        v->h[0] = line_space_mix(&h0, &h1, (int32_t)from);
-        v->depth[0] += (int32_t)(deep * from / INK_ONE);
+        v->h[0] = line_space_between(v->ink.family, &h0, &h1, from);
+        v->depth[0] += (int32_t)ints_muldiv_round(deep, from, one);
     }
     return v->h[0].e > 0 && v->h[1].e > 0;
 }
@@ -75,15 +76,15 @@ static halo_point_t point_of(const halo_ink_t *d, const view_t *v, int end) {
 
 /* From a part of the way on the page to the parameter in space: with E at the ends, s = u E0 / (u E0 + (1 - u) E1). */
 static int64_t in_space(const halo_ink_t *d, const view_t *v, uint32_t u_q30) {
-    int64_t s = u_q30;
-    if (is_perspective(d) && s > 0 && s < INK_ONE) {
+    const int64_t way = v->ink.to - v->ink.from;
+    if (u_q30 == INK_ONE) return v->ink.to;
+    if (is_perspective(d) && u_q30 > 0) {
         int64_t e0 = v->h[0].e, e1 = v->h[1].e; /* below 2^35 */
         while (e0 >> 31 != 0 || e1 >> 31 != 0) e0 >>= 1, e1 >>= 1;
         e0 *= u_q30, e1 *= INK_ONE - (int64_t)u_q30;
-        s = e0 + e1 == 0 ? s : ints_muldiv_round(INK_ONE, e0, e0 + e1);
+        if (e0 + e1 != 0) return v->ink.from + ints_muldiv_round(way, e0, e0 + e1);
     }
-    const int64_t way = v->ink.to_q30 - v->ink.from_q30;
-    return v->ink.from_q30 + (way * s + INK_ONE / 2) / INK_ONE;
+    return v->ink.from + ints_muldiv_round(way, u_q30, INK_ONE);
 }
 
 static int take(void *ctx, int32_t edge, uint32_t from_q30, uint32_t to_q30) {
@@ -91,9 +92,9 @@ static int take(void *ctx, int32_t edge, uint32_t from_q30, uint32_t to_q30) {
     if (edge != d->edge) see(d, edge, &d->view);
     d->edge = edge;
     ink_piece_t p = d->view.ink;
-    p.from_q30 = in_space(d, &d->view, from_q30);
-    p.to_q30 = in_space(d, &d->view, to_q30);
-    if (p.from_q30 >= p.to_q30) return 0;
+    p.from = in_space(d, &d->view, from_q30);
+    p.to = in_space(d, &d->view, to_q30);
+    if (p.from >= p.to) return 0;
     d->stats->pieces++;
     return d->job->sink->piece(d->job->sink->ctx, &p);
 }

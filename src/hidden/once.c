@@ -25,7 +25,7 @@ static int take(once_t *o, const ink_piece_t *p, bool hidden) {
     page_h_t h;
     page_point_t a, b;
     if (p->family != INK_SEGMENT || p->surface > LINE_HIDDEN || o->group[p->line] < 0 ||
-        !page_at(o, p, p->from_q30, &h, &a) || !page_at(o, p, p->to_q30, &h, &b))
+        !page_at(o, p, p->from, &h, &a) || !page_at(o, p, p->to, &h, &b))
         return next->piece(next->ctx, p);
     if (o->n == o->n_max) return ERR_FULL;
     const enum once_rank rank = hidden ? ONCE_HIDDEN : p->surface == LINE_SILHOUETTE ? ONCE_SILHOUETTE : ONCE_CREASE;
@@ -34,8 +34,8 @@ static int take(once_t *o, const ink_piece_t *p, bool hidden) {
     once_piece_t *piece = &o->piece[o->n++];
     *piece = (once_piece_t){.rank = 4 * group + (int32_t)rank, .u0 = u < v ? u : v, .u1 = u < v ? v : u};
     piece->edge = p->line;
-    piece->from_q30 = (int32_t)p->from_q30;
-    piece->to_q30 = (int32_t)p->to_q30;
+    piece->from_q30 = (int32_t)p->from;
+    piece->to_q30 = (int32_t)p->to;
     return 0;
 }
 
@@ -86,9 +86,9 @@ static int emit(const once_t *o, const once_piece_t *p, int32_t u0, int32_t u1) 
         const int64_t e0 = done * h[0].e, e1 = (way - done) * h[1].e;
         if (e0 + e1 == 0) continue;
         const int64_t t = p->from_q30 + ints_muldiv_round((int64_t)p->to_q30 - p->from_q30, e0, e0 + e1);
-        *((k == 0) == up ? &ink.from_q30 : &ink.to_q30) = t;
+        *((k == 0) == up ? &ink.from : &ink.to) = t;
     }
-    if (ink.from_q30 >= ink.to_q30) return 0;
+    if (ink.from >= ink.to) return 0;
     return sink->piece(sink->ctx, &ink);
 }
 

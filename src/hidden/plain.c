@@ -3,8 +3,8 @@
 
 static int emit(const ink_sink_t *sink, const ink_piece_t *line, int32_t from, int32_t to) {
     ink_piece_t p = *line;
-    p.from_q30 = from * INK_ONE;
-    p.to_q30 = to * INK_ONE;
+    p.from = from * INK_GRID_ONE;
+    p.to = to * INK_GRID_ONE;
     return sink->piece(sink->ctx, &p);
 }
 
@@ -20,40 +20,40 @@ static bool edge_is_defined(grid_t *g, uint8_t family, int32_t line, int32_t at)
 
 /* The part of the edge from point `at` on that is drawn. Of one with a point beyond the limits of heights it is that up
  * to the limit; none of one with two, as gnuplot has it: through a pole no line is drawn. */
-static bool edge_part(grid_t *g, const ink_piece_t *line, int32_t at, int64_t *from_q30, int64_t *to_q30) {
+static bool edge_part(grid_t *g, const ink_piece_t *line, int32_t at, int64_t *from, int64_t *to) {
     bool row = line->family == INK_ROW, a_in = is_defined(g, line->family, line->line, at),
          b_in = is_defined(g, line->family, line->line, at + 1);
     const int32_t a[2] = {row ? at : line->line, row ? line->line : at}, b[2] = {a[0] + row, a[1] + !row};
-    *from_q30 = at * INK_ONE;
-    *to_q30 = *from_q30 + INK_ONE;
+    *from = at * INK_GRID_ONE;
+    *to = *from + INK_GRID_ONE;
     if (a_in && b_in) return true;
     num_t limit;
-    int32_t s_q30;
-    if (a_in == b_in || !grid_edge_limit(g, a_in ? a : b, a_in ? b : a, &limit, &s_q30)) return false;
+    int64_t s_q46;
+    if (a_in == b_in || !grid_edge_limit(g, a_in ? a : b, a_in ? b : a, &limit, &s_q46)) return false;
     if (a_in)
-        *to_q30 = *from_q30 + s_q30;
+        *to = *from + s_q46;
     else
-        *from_q30 = *to_q30 - s_q30;
-    return s_q30 > 0;
+        *from = *to - s_q46;
+    return s_q46 > 0;
 }
 
 /* One line that goes on to the limits which it crosses. */
 static int draw_to_limits(grid_t *g, const ink_piece_t *line, int32_t points, const ink_sink_t *sink) {
     ink_piece_t p = *line;
     int64_t from, to;
-    p.from_q30 = p.to_q30 = 0; /* the run under way; none if equal */
+    p.from = p.to = 0; /* the run under way; none if equal */
     for (int32_t k = 0; k < points - 1; k++) {
         if (!edge_part(g, line, k, &from, &to)) continue;
-        if (from == p.to_q30 && p.from_q30 < p.to_q30) {
-            p.to_q30 = to;
+        if (from == p.to && p.from < p.to) {
+            p.to = to;
             continue;
         }
-        int err = p.from_q30 < p.to_q30 ? sink->piece(sink->ctx, &p) : 0;
+        int err = p.from < p.to ? sink->piece(sink->ctx, &p) : 0;
         if (err) return err;
-        p.from_q30 = from;
-        p.to_q30 = to;
+        p.from = from;
+        p.to = to;
     }
-    return p.from_q30 < p.to_q30 ? sink->piece(sink->ctx, &p) : 0;
+    return p.from < p.to ? sink->piece(sink->ctx, &p) : 0;
 }
 
 /* One line with holes: the runs of edges that exist. */

@@ -10,7 +10,7 @@
 
 /* from == to: no run is open. */
 typedef struct run {
-    int64_t from_q30, to_q30;
+    int64_t from, to;
 } run_t;
 
 typedef struct runs {
@@ -23,17 +23,17 @@ typedef struct runs {
 int runs_flush(runs_t *r, run_t *run, uint8_t family, int32_t line);
 
 /* Adds the interval [from, to), from < to. Returns 0 or the sink's error. */
-static inline int runs_add(runs_t *r, run_t *run, uint8_t family, int32_t line, int64_t from_q30, int64_t to_q30) {
-    if (run->to_q30 == from_q30 && run->from_q30 != run->to_q30) {
-        run->to_q30 = to_q30;
+static inline int runs_add(runs_t *r, run_t *run, uint8_t family, int32_t line, int64_t from, int64_t to) {
+    if (run->to == from && run->from != run->to) {
+        run->to = to;
         return 0;
     }
-    if (run->from_q30 == to_q30 && run->from_q30 != run->to_q30) {
-        run->from_q30 = from_q30;
+    if (run->from == to && run->from != run->to) {
+        run->from = from;
         return 0;
     }
     int err = runs_flush(r, run, family, line);
-    *run = (run_t){from_q30, to_q30};
+    *run = (run_t){from, to};
     return err;
 }
 

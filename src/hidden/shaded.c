@@ -91,7 +91,7 @@ static const shaded_vertex_t *row_of(shaded_t *s, const layer_t *l, int32_t j) {
     if (s->row_j[n] == j) return row;
     for (int32_t i = 0; i < s->nx; i++) {
         shaded_vertex_t *v = &row[i];
-        v->good = grid_height(l->grid, i, j, &v->z) && space->at(space->ctx, INK_ROW, j, i * INK_ONE, &v->h);
+        v->good = grid_height(l->grid, i, j, &v->z) && space->at(space->ctx, INK_ROW, j, i * INK_GRID_ONE, &v->h);
         if (!space->perspective) v->h.e = (int64_t)1 << space->frac_bits;
         if (v->good && v->h.e < space->near_e) v->good = false;
     }
@@ -240,7 +240,8 @@ static int32_t line_at(const stretch_t *k, int32_t share_q30) {
 /* A visible part, in space. */
 static int take_part(void *ctx, const ink_piece_t *p) {
     const stretch_t *k = ctx;
-    return add_part(k->s, k->line, line_at(k, (int32_t)p->from_q30), line_at(k, (int32_t)p->to_q30));
+    return add_part(k->s, k->line, line_at(k, (int32_t)(p->from >> (INK_GRID_BITS - 30))),
+                    line_at(k, (int32_t)(p->to >> (INK_GRID_BITS - 30))));
 }
 
 static int32_t mix32(int32_t a, int32_t b, int32_t share_q30) {

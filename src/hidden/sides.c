@@ -107,8 +107,8 @@ int32_t side_shade(const sweep_t *s, const layer_t *l, const layer_t *m, int32_t
     uint32_t g[2] = {1, 1}; /* reciprocal distances */
     if (side_is_column(side) && c->kind == CHART_NORTH) g[0] = l->line[near.line].r, g[1] = l->line[far.line].r;
     if (!side_is_column(side) && c->kind == CHART_EAST) g[0] = c->column[near.i].r, g[1] = c->column[far.i].r;
-    v.from_q30 = chart_unproject(v.from_q30, g[0], g[1]);
-    v.to_q30 = chart_unproject(v.to_q30, g[0], g[1]);
+    v.from_q30 = (int32_t)(chart_unproject(v.from_q30, g[0], g[1]) >> 16);
+    v.to_q30 = (int32_t)(chart_unproject(v.to_q30, g[0], g[1]) >> 16);
     out[0] = turned(v, turn);
     return 1;
 }

@@ -1,7 +1,7 @@
 /* set.c - `set` and `unset`: which option, and the options that are one number or one text. */
 #include "lang/session_parts.h"
+#include "scene/grid.h"
 
-#define GRID_MAX 1000000 /* samples along one side */
 
 void set_reset(session_t *s) {
     settings_default(&s->settings);
@@ -40,12 +40,12 @@ int set_scaled(session_t *s, lexer_t *lx, int decimals, int64_t lo, int64_t hi, 
 static int set_pair(session_t *s, lexer_t *lx, int32_t pair[2], const char *message) {
     int32_t a = pair[0], b = pair[1];
     if (lx->tok.kind != ',') {
-        int err = set_integer(s, lx, 2, GRID_MAX, &a, message);
+        int err = set_integer(s, lx, 2, GRID_SIDE_MAX, &a, message);
         if (err) return err;
         b = a;
     }
     if (lexer_accept(lx, ',')) {
-        int err = set_integer(s, lx, 2, GRID_MAX, &b, message);
+        int err = set_integer(s, lx, 2, GRID_SIDE_MAX, &b, message);
         if (err) return err;
     }
     int err = session_expect_end(s, lx);
@@ -146,13 +146,13 @@ int set_command(session_t *s, lexer_t *lx) {
     case SET_HIDDEN3D:
         return set_hidden3d(s, lx);
     case SET_ISOSAMPLES:
-        return set_pair(s, lx, set->isosamples, "isosamples must be between 2 and 1000000");
+        return set_pair(s, lx, set->isosamples, "isosamples must be between 2 and 65536");
     case SET_MACHINE:
         return set_machine(s, lx);
     case SET_PAPER:
         return set_paper(s, lx);
     case SET_SAMPLES:
-        return set_pair(s, lx, set->samples, "samples must be between 2 and 1000000");
+        return set_pair(s, lx, set->samples, "samples must be between 2 and 65536");
     case SET_TITLE:
         return set_title(s, lx);
     case SET_VIEW:

@@ -139,9 +139,7 @@ int chain_free_ends(const chain_t *c, page_point_t p, int32_t *out, int max) {
 bool chain_ahead(const chain_t *c, int32_t e, page_point_t *out) {
     const run_t *r = &c->pool->run[e >> 1];
     int64_t t = run_t_of(r, e & 1), end = run_t_of(r, 1 - (e & 1));
-    int64_t next = e & 1 ? ((t - 1) >> 30) * INK_ONE : ((t >> 30) + 1) * INK_ONE;
-    if (e & 1 ? next < end : next > end) next = end;
-    return c->map->point(c->map->ctx, run_family(r), run_surface(r), r->line, next, out);
+    return c->map->point(c->map->ctx, run_family(r), run_surface(r), run_line(r), ink_next(run_family(r), t, end), out);
 }
 
 /* Unit vector (q13) from an end into its run. */

@@ -7,7 +7,7 @@ typedef struct walk {
     const pool_t *pool;
     const page_point_t *point; /* of the ends, or NULL */
     int32_t end;               /* where the present run is entered, or negative at the end of the stroke */
-    int64_t t_q30, last_q30;
+    int64_t t, last;
     bool started;
 } walk_t;
 
@@ -15,38 +15,31 @@ static void enter(walk_t *w, int32_t end) {
     w->end = end;
     w->started = false;
     if (end < 0) return;
-    w->t_q30 = pool_end_t(w->pool, end);
-    w->last_q30 = pool_end_t(w->pool, pool_other_end(end));
+    w->t = pool_end_t(w->pool, end);
+    w->last = pool_end_t(w->pool, pool_other_end(end));
 }
 
 /* The next vertex; false at the end of the stroke. */
 static bool next(walk_t *w, const ink_map_t *map, page_point_t *p, bool *known) {
-    if (w->started && w->t_q30 == w->last_q30) enter(w, w->pool->mate[pool_other_end(w->end)]);
+    if (w->started && w->t == w->last) enter(w, w->pool->mate[pool_other_end(w->end)]);
     if (w->end < 0) return false;
-    if (w->started) {
-        if (w->t_q30 < w->last_q30) {
-            int64_t t = ((w->t_q30 >> 30) + 1) * INK_ONE;
-            w->t_q30 = t < w->last_q30 ? t : w->last_q30;
-        } else {
-            int64_t t = ((w->t_q30 - 1) >> 30) * INK_ONE;
-            w->t_q30 = t > w->last_q30 ? t : w->last_q30;
-        }
-    }
-    if (w->point && (!w->started || w->t_q30 == w->last_q30)) {
+    if (w->started) w->t = ink_next(run_family(&w->pool->run[w->end >> 1]), w->t, w->last);
+    if (w->point && (!w->started || w->t == w->last)) {
         *p = w->point[w->started ? pool_other_end(w->end) : w->end];
         w->started = *known = true;
         return true;
     }
     w->started = true;
     const run_t *r = &w->pool->run[w->end >> 1];
-    *known = map->point(map->ctx, run_family(r), run_surface(r), r->line, w->t_q30, p);
+    *known = map->point(map->ctx, run_family(r), run_surface(r), run_line(r), w->t, p);
     return true;
 }
 
 /* Is the stroke one run without a vertex between its ends? Most of a rough surface are. */
 static bool is_line(const pool_t *pool, int32_t start) {
     const run_t *r = &pool->run[start >> 1];
-    return pool->mate[pool_other_end(start)] < 0 && ((run_t_of(r, 0) >> 30) + 1) * INK_ONE >= run_t_of(r, 1);
+    return pool->mate[pool_other_end(start)] < 0 &&
+           ink_next(run_family(r), run_t_of(r, 0), run_t_of(r, 1)) == run_t_of(r, 1);
 }
 
 int emit_stroke(pool_t *pool, const ink_map_t *map, const page_point_t *point, int32_t start, simplify_t *out,

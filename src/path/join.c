@@ -1,17 +1,17 @@
 /* join.c - a table of open runs, two to a line. See join.h. */
 #include "path/join.h"
 
-/* Gaps of fewer parameter units than this are worth asking the map about: a gap that is wider has a quarter
+/* Gaps of less than this part of an edge (2^-4) are worth asking the map about: a gap that is wider has a quarter
  * step on the page only where a whole cell has four steps, and there nobody sees it. */
-#define JOIN_GAP_MAX (INK_ONE / 16)
+#define JOIN_GAP_BITS 4
 
 static bool is_empty(const join_run_t *r) {
-    return r->from_q30 > r->to_q30;
+    return r->from > r->to;
 }
 
 static void make_empty(join_run_t *r) {
-    r->from_q30 = 1;
-    r->to_q30 = 0;
+    r->from = 1;
+    r->to = 0;
     r->line = -1;
     r->recent = false;
 }
@@ -27,10 +27,10 @@ void join_init(join_t *j, void *mem, uint32_t pairs, int32_t gap_lat, const ink_
 }
 
 /* Are two parameters of p's line within the gap on the page? */
-static bool is_near(const join_t *j, const ink_piece_t *p, int64_t s_q30, int64_t t_q30) {
+static bool is_near(const join_t *j, const ink_piece_t *p, int64_t s, int64_t t) {
     page_point_t a, b;
-    if (!j->map->point(j->map->ctx, p->family, p->surface, p->line, s_q30, &a)) return false;
-    if (!j->map->point(j->map->ctx, p->family, p->surface, p->line, t_q30, &b)) return false;
+    if (!j->map->point(j->map->ctx, p->family, p->surface, p->line, s, &a)) return false;
+    if (!j->map->point(j->map->ctx, p->family, p->surface, p->line, t, &b)) return false;
     int64_t dx = (int64_t)a.x_lat - b.x_lat, dy = (int64_t)a.y_lat - b.y_lat;
     return dx >= -j->gap_lat && dx <= j->gap_lat && dy >= -j->gap_lat && dy <= j->gap_lat &&
            dx * dx + dy * dy <= (int64_t)j->gap_lat * j->gap_lat;
@@ -38,25 +38,25 @@ static bool is_near(const join_t *j, const ink_piece_t *p, int64_t s_q30, int64_
 
 /* May the gap from s to t be closed? A node inside of it becomes a vertex of the run, so it has to be near both ends: a
  * spike that leaves the paper goes out and comes back within a quarter step of each other. */
-static bool is_gap_small(const join_t *j, const ink_piece_t *p, int64_t s_q30, int64_t t_q30) {
-    if (t_q30 - s_q30 > JOIN_GAP_MAX) return false;
-    int64_t node_q30 = ((s_q30 >> 30) + 1) * INK_ONE;
-    if (node_q30 >= t_q30) return is_near(j, p, s_q30, t_q30);
-    return is_near(j, p, s_q30, node_q30) && is_near(j, p, node_q30, t_q30);
+static bool is_gap_small(const join_t *j, const ink_piece_t *p, int64_t s, int64_t t) {
+    if ((t - s) >> (ink_bits(p->family) - JOIN_GAP_BITS) != 0) return false;
+    const int64_t node = ink_next(p->family, s, t);
+    if (node == t) return is_near(j, p, s, t);
+    return is_near(j, p, s, node) && is_near(j, p, node, t);
 }
 
 /* Extends r by p if it continues r at either end. */
 static bool extend(const join_t *j, join_run_t *r, const ink_piece_t *p) {
     if (r->line != p->line || r->family != p->family || r->surface != p->surface || is_empty(r)) return false;
-    if (p->from_q30 > r->to_q30 && !is_gap_small(j, p, r->to_q30, p->from_q30)) return false;
-    if (r->from_q30 > p->to_q30 && !is_gap_small(j, p, p->to_q30, r->from_q30)) return false;
-    if (p->from_q30 < r->from_q30) r->from_q30 = p->from_q30;
-    if (p->to_q30 > r->to_q30) r->to_q30 = p->to_q30;
+    if (p->from > r->to && !is_gap_small(j, p, r->to, p->from)) return false;
+    if (r->from > p->to && !is_gap_small(j, p, p->to, r->from)) return false;
+    if (p->from < r->from) r->from = p->from;
+    if (p->to > r->to) r->to = p->to;
     return true;
 }
 
 static int finish(join_t *j, join_run_t *r) {
-    ink_piece_t p = {r->family, r->surface, r->line, r->from_q30, r->to_q30};
+    ink_piece_t p = {r->family, r->surface, r->line, r->from, r->to};
     if (is_empty(r)) return 0;
     make_empty(r);
     return j->out.piece(j->out.ctx, &p);
@@ -76,7 +76,7 @@ int join_piece(join_t *j, const ink_piece_t *p) {
     join_run_t *old = r[0].recent ? &r[1] : &r[0];
     int err = finish(j, old);
     r[0].recent = r[1].recent = false;
-    *old = (join_run_t){p->from_q30, p->to_q30, p->line, p->family, p->surface, true};
+    *old = (join_run_t){p->from, p->to, p->line, p->family, p->surface, true};
     return err;
 }
 

@@ -13,7 +13,7 @@
 #include "view/page.h"
 
 typedef struct join_run {
-    int64_t from_q30, to_q30; /* empty when from > to */
+    int64_t from, to; /* empty when from > to */
     int32_t line;
     uint8_t family, surface;
     bool recent; /* grew later than the other one of its pair */

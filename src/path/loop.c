@@ -4,27 +4,26 @@
 /* A place on a closed stroke and the free end found there. */
 typedef struct meeting {
     int32_t start; /* the end from which the run is walked */
-    int64_t t_q30; /* where on the run */
+    int64_t t;     /* where on the run */
     page_point_t at;
     int32_t free_end;
 } meeting_t;
 
 /* The vertex behind t of a run that ends at `end`; beyond it, when t is the last. */
-static int64_t after(int64_t t, int64_t end) {
-    int64_t next = ((t >> 30) + 1) * INK_ONE;
-    return t == end ? end + 1 : next < end ? next : end;
+static int64_t after(const run_t *r, int64_t t, int64_t end) {
+    return t == end ? end + 1 : ink_next(run_family(r), t, end);
 }
 
-static bool point_of(const chain_t *c, const run_t *r, int64_t t_q30, page_point_t *p) {
-    return c->map->point(c->map->ctx, run_family(r), run_surface(r), r->line, t_q30, p);
+static bool point_of(const chain_t *c, const run_t *r, int64_t t, page_point_t *p) {
+    return c->map->point(c->map->ctx, run_family(r), run_surface(r), run_line(r), t, p);
 }
 
 static bool find_on_run(const chain_t *c, int32_t start, meeting_t *m) {
     const run_t *r = &c->pool->run[start >> 1];
     int64_t t = run_t_of(r, 0), end = run_t_of(r, 1);
     m->start = start;
-    for (; t <= end; t = after(t, end)) {
-        m->t_q30 = t;
+    for (; t <= end; t = after(r, t, end)) {
+        m->t = t;
         if (point_of(c, r, t, &m->at) && chain_free_ends(c, m->at, &m->free_end, 1)) return true;
     }
     return false;
@@ -66,7 +65,7 @@ static bool find_box(const chain_t *c, page_point_t *lo, page_point_t *hi) {
         const run_t *r = &pool->run[k];
         if (r->to_hi & RUN_SEEN) continue;
         any = true;
-        for (int64_t t = run_t_of(r, 0), end = run_t_of(r, 1); t <= end; t = after(t, end)) {
+        for (int64_t t = run_t_of(r, 0), end = run_t_of(r, 1); t <= end; t = after(r, t, end)) {
             page_point_t p;
             if (!point_of(c, r, t, &p)) continue;
             if (p.x_lat < lo->x_lat) lo->x_lat = p.x_lat;
@@ -82,12 +81,12 @@ static bool find_box(const chain_t *c, page_point_t *lo, page_point_t *hi) {
 
 /* Cuts the run in two at t and opens the stroke there. The first part keeps the number. Returns the free end of the
  * second part. */
-static int32_t cut_run(chain_t *c, int32_t r, int64_t t_q30, page_point_t at) {
+static int32_t cut_run(chain_t *c, int32_t r, int64_t t, page_point_t at) {
     pool_t *p = c->pool;
     int32_t s = p->n++, beyond = p->mate[2 * r + 1];
     p->run[s] = p->run[r];
-    run_set_t(&p->run[r], 1, t_q30);
-    run_set_t(&p->run[s], 0, t_q30);
+    run_set_t(&p->run[r], 1, t);
+    run_set_t(&p->run[s], 0, t);
     p->mate[2 * s + 1] = beyond;
     p->mate[beyond] = 2 * s + 1;
     c->point[2 * s + 1] = c->point[2 * r + 1];
@@ -110,17 +109,17 @@ int32_t loop_open(chain_t *c) {
         pool_tick(p);
         bool found = walk(c, 2 * r, &m);
         int32_t k = m.start >> 1;
-        bool at_end = found && (m.t_q30 == pool_end_t(p, 2 * k) || m.t_q30 == pool_end_t(p, 2 * k + 1));
+        bool at_end = found && (m.t == pool_end_t(p, 2 * k) || m.t == pool_end_t(p, 2 * k + 1));
         if (!found || (!at_end && p->n == p->cap)) {
             cut_at_end(c, 2 * r);
             alone++;
             continue;
         }
         if (at_end) {
-            e = 2 * k + (m.t_q30 == pool_end_t(p, 2 * k + 1));
+            e = 2 * k + (m.t == pool_end_t(p, 2 * k + 1));
             cut_at_end(c, e);
         } else {
-            e = cut_run(c, k, m.t_q30, m.at);
+            e = cut_run(c, k, m.t, m.at);
         }
         int32_t far_of_loop = ~p->mate[e], far_of_other = ~p->mate[m.free_end];
         /* ... other -> free_end, then once round from far_of_loop's side to e: e stays free for the next loop */

@@ -17,19 +17,9 @@ void outbox_put(outbox_t *o, const run_t *run, int side, bool ends, int32_t us) 
     o->us += us - to->us;
     to->us = us;
     to->run = *run;
-    to->run.to_hi &= (1u << RUN_HI_BITS) - 1;
+    to->run.to_hi &= RUN_HI_MASK;
     if (side) to->run.to_hi |= OUTBOX_BACK;
     if (ends) to->run.to_hi |= OUTBOX_ENDS;
-}
-
-/* The vertex after t on the way to `to`: whole parameters, then the end. */
-static int64_t step(int64_t t, int64_t to) {
-    if (t < to) {
-        int64_t next = ((t >> 30) + 1) * INK_ONE;
-        return next < to ? next : to;
-    }
-    int64_t next = ((t - 1) >> 30) * INK_ONE;
-    return next > to ? next : to;
 }
 
 int outbox_draw(outbox_t *o, const ink_map_t *map, simplify_t *out, int64_t *vertices, bool *over) {
@@ -39,19 +29,19 @@ int outbox_draw(outbox_t *o, const ink_map_t *map, simplify_t *out, int64_t *ver
     page_point_t p;
     *over = false;
     if (o->started) {
-        o->t_q30 = step(o->t_q30, o->last_q30);
+        o->t = ink_next(run_family(r), o->t, o->last);
     } else {
-        o->t_q30 = run_t_of(r, side);
-        o->last_q30 = run_t_of(r, 1 - side);
+        o->t = run_t_of(r, side);
+        o->last = run_t_of(r, 1 - side);
         o->started = true;
     }
     ++*vertices;
     int err = 0;
-    if (map->point(map->ctx, run_family(r), run_surface(r), r->line, o->t_q30, &p)) {
+    if (map->point(map->ctx, run_family(r), run_surface(r), run_line(r), o->t, &p)) {
         err = o->begun ? simplify_draw(out, p) : simplify_move(out, p);
         o->begun = true;
     }
-    if (err || o->t_q30 != o->last_q30) return err;
+    if (err || o->t != o->last) return err;
     o->first = o->first + 1 < o->cap ? o->first + 1 : 0;
     o->n--;
     o->started = false;

@@ -19,11 +19,11 @@ typedef struct outbox_run {
 typedef struct outbox {
     outbox_run_t *run; /* cap of them, a ring */
     int32_t cap, first, n;
-    bool filled;             /* as many have been added */
-    int64_t us;              /* of the cap added last: the pen never has more to do */
-    int64_t t_q30, last_q30; /* in the first run: the vertex drawn last, and where it ends */
-    bool started;            /* it has been */
-    bool begun;              /* and the stroke has a point */
+    bool filled;     /* as many have been added */
+    int64_t us;      /* of the cap added last: the pen never has more to do */
+    int64_t t, last; /* in the first run: the vertex drawn last, and where it ends */
+    bool started;    /* it has been */
+    bool begun;      /* and the stroke has a point */
 } outbox_t;
 
 /* Flags in run_t.to_hi. */

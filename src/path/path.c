@@ -217,7 +217,7 @@ static int take_run(void *ctx, const ink_piece_t *run) {
         p->stats.flushes++;
     }
     p->pool.run[p->pool.n++] = run_pack(run);
-    p->vertices += (run->to_q30 - run->from_q30) / INK_ONE + 2;
+    p->vertices += ((run->to - run->from) >> ink_bits(run->family)) + 2;
     p->stats.runs++;
     return 0;
 }
@@ -265,8 +265,7 @@ int path_init(path_t *p, void *mem, size_t bytes, const path_config_t *c, const 
 
 static int take_piece(void *ctx, const ink_piece_t *piece) {
     path_t *p = ctx;
-    if (piece->from_q30 < 0 || piece->to_q30 >= RUN_T_LIMIT || piece->from_q30 > piece->to_q30) return ERR_VALUE;
-    if (piece->family > INK_SEGMENT) return ERR_VALUE;
+    if (!run_fits(piece)) return ERR_VALUE;
     return join_piece(&p->join, piece);
 }
 

@@ -40,7 +40,7 @@ static inline int64_t pool_end_t(const pool_t *p, int32_t e) {
 
 static inline bool pool_end_point(const pool_t *p, const ink_map_t *map, int32_t e, page_point_t *out) {
     const run_t *r = &p->run[e >> 1];
-    return map->point(map->ctx, run_family(r), run_surface(r), r->line, run_t_of(r, e & 1), out);
+    return map->point(map->ctx, run_family(r), run_surface(r), run_line(r), run_t_of(r, e & 1), out);
 }
 
 #endif

@@ -69,6 +69,7 @@ int grid_measure(grid_t *g, const surface_t *src, const num_t *lo, const num_t *
                  void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx) {
     bool any = false;
     int32_t exp = INT16_MIN, least = 0, most = 0; /* of the heights in units: that of the first is 0 */
+    if (src->nx > GRID_SIDE_MAX || src->ny > GRID_SIDE_MAX) return ERR_FULL;
     *g = (grid_t){.src = src, .nx = src->nx, .ny = src->ny, .cache = NULL, .has_lo = lo != NULL, .has_hi = hi != NULL};
     if (lo != NULL) g->z_lo = *lo;
     if (hi != NULL) g->z_hi = *hi;
@@ -165,12 +166,12 @@ bool grid_value(grid_t *g, int32_t i, int32_t j, num_t *z) {
     return !z->undef;
 }
 
-bool grid_edge_limit(grid_t *g, const int32_t inside[2], const int32_t outside[2], num_t *limit, int32_t *s_q30) {
+bool grid_edge_limit(grid_t *g, const int32_t inside[2], const int32_t outside[2], num_t *limit, int64_t *s_q46) {
     num_t z = raw(g, inside[0], inside[1]), far = raw(g, outside[0], outside[1]);
     if (z.undef || far.undef) return false;
     bool low = g->has_lo && num_cmp(far, g->z_lo) < 0;
     *limit = low ? g->z_lo : g->z_hi;
-    int64_t s = num_to_fixed(num_div(num_sub(*limit, z), num_sub(far, z)), 30, NULL);
-    *s_q30 = s < 0 ? 0 : s > 1 << 30 ? 1 << 30 : (int32_t)s;
+    int64_t s = num_to_fixed(num_div(num_sub(*limit, z), num_sub(far, z)), 46, NULL);
+    *s_q46 = s < 0 ? 0 : s > (int64_t)1 << 46 ? (int64_t)1 << 46 : s;
     return true;
 }

@@ -12,6 +12,8 @@
 #include "scene/surface.h"
 #include <stddef.h>
 
+#define GRID_SIDE_MAX 65536 /* points along one side */
+
 typedef struct grid {
     const surface_t *src;
     int32_t nx, ny;
@@ -28,7 +30,8 @@ typedef struct grid {
 } grid_t;
 
 /* Measures src. cache may be NULL or hold nx * ny entries, and must outlive g. lo, hi: limits or NULL.
- * Returns 0, or ERR_EMPTY when no point is defined. tick (may be NULL) is called once a row, for progress. */
+ * Returns 0, ERR_EMPTY when no point is defined, or ERR_FULL for a side of more
+ * than GRID_SIDE_MAX points. tick (may be NULL) is called once a row, for progress. */
 int grid_measure(grid_t *g, const surface_t *src, const num_t *lo, const num_t *hi, int32_t *cache,
                  void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx);
 /* Row j into zi[0..nx). hole[i] is 1 where the point is undefined and zi[i] is then 0; hole may be NULL
@@ -45,6 +48,6 @@ bool grid_value(grid_t *g, int32_t i, int32_t j, num_t *z);
 
 /* The straight edge from a point (column, row) within the limits of heights to one beyond them: which limit it meets,
  * and at which fraction of its length. False if the far point is undefined. Both points are evaluated. */
-bool grid_edge_limit(grid_t *g, const int32_t inside[2], const int32_t outside[2], num_t *limit, int32_t *s_q30);
+bool grid_edge_limit(grid_t *g, const int32_t inside[2], const int32_t outside[2], num_t *limit, int64_t *s_q46);
 
 #endif

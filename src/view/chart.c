@@ -1,6 +1,7 @@
 /* chart.c - choosing a chart's kind and scales once per scene, and charting rows. */
 #include "view/chart.h"
 
+#include "num/wide.h"
 #include "view/chart_around.h"
 
 #include <string.h>
@@ -268,8 +269,9 @@ void chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line) {
     }
 }
 
-int32_t chart_unproject(int32_t u_q30, uint32_t g0, uint32_t g1) {
-    if (g0 == g1 || u_q30 <= 0 || u_q30 >= (1 << 30)) return u_q30;
-    uint64_t n = (uint64_t)(uint32_t)u_q30 * g1, d = n + (uint64_t)((UINT32_C(1) << 30) - (uint32_t)u_q30) * g0;
-    return (int32_t)pencil_fraction(n, d);
+int64_t chart_unproject(int32_t u_q30, uint32_t g0, uint32_t g1) {
+    if (g0 == g1 || u_q30 <= 0 || u_q30 >= (1 << 30)) return (int64_t)u_q30 << 16;
+    uint64_t n = (uint64_t)(uint32_t)u_q30 * g1, d = n + (uint64_t)((UINT32_C(1) << 30) - (uint32_t)u_q30) * g0, rest;
+    if (g0 >> 4 <= g1 && g1 >> 4 <= g0) return (int64_t)pencil_fraction(n, d) << 16;
+    return (int64_t)wide_div_u64(n >> 18, n << 46, d, &rest);
 }

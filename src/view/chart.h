@@ -92,8 +92,9 @@ static inline int chart_sector_at(int32_t a) {
  * at is the nearest that has, above or below; or exactly below the eye, then at->a is CHART_NONE. */
 bool chart_around(const chart_t *c, int sector, int32_t dx, int32_t dy, int64_t dz, pencil_t *at);
 
-/* The position in space, of a point that is `u` of the way from end 0 to end 1 in the chart, along an edge whose
- * ends have the reciprocal distances g0 and g1 (any common scale). Cost: one division; none if g0 == g1. */
-int32_t chart_unproject(int32_t u_q30, uint32_t g0, uint32_t g1);
+/* The position in space (q46), of a point that is `u` of the way from end 0 to end 1 in the chart, along an edge whose
+ * ends have the reciprocal distances g0 and g1 (any common scale). Good to 2^-30; where one end is more than 16 times
+ * as far as the other, as fine as u is at the near one. Cost: one division; none if g0 == g1. */
+int64_t chart_unproject(int32_t u_q30, uint32_t g0, uint32_t g1);
 
 #endif

@@ -84,9 +84,8 @@ static int cut_piece(void *ctx, const ink_piece_t *p) {
     const line_space_t *s = &c->lines[p->surface];
     ink_piece_t out = *p;
     bool open = false;
-    for (int64_t at = p->from_q30; at < p->to_q30;) {
-        int64_t end = (at & ~(INK_ONE - 1)) + INK_ONE;
-        if (end > p->to_q30) end = p->to_q30;
+    for (int64_t at = p->from; at < p->to;) {
+        const int64_t end = ink_next(p->family, at, p->to);
         int64_t from = at, to = end;
         bool some = clip_cell(s, p, &from, &to);
         if (open && (!some || from > at)) {
@@ -95,8 +94,8 @@ static int cut_piece(void *ctx, const ink_piece_t *p) {
             open = false;
         }
         if (some) {
-            if (!open) out.from_q30 = from;
-            out.to_q30 = to;
+            if (!open) out.from = from;
+            out.to = to;
             open = true;
             if (to < end) {
                 int err = c->next.piece(c->next.ctx, &out);

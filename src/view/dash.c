@@ -14,14 +14,14 @@ static int64_t length_lat(page_point_t a, page_point_t b) {
 static int64_t parameter(const ink_piece_t *p, const page_h_t h[2], int64_t num, int64_t den) {
     /* s = u E0 / (u E0 + (1 - u) E1); E is below 2^35, lengths below 2^27 */
     int64_t a = num * h[0].e, b = (den - num) * h[1].e;
-    return p->from_q30 + ints_muldiv_round(p->to_q30 - p->from_q30, a, a + b);
+    return p->from + ints_muldiv_round(p->to - p->from, a, a + b);
 }
 
 static int dash_piece(void *ctx, const ink_piece_t *p) {
     dash_t *d = ctx;
     const line_space_t *s = &d->lines[p->surface];
     page_h_t h[2];
-    if (!s->at(s->ctx, p->family, p->line, p->from_q30, &h[0]) || !s->at(s->ctx, p->family, p->line, p->to_q30, &h[1]))
+    if (!s->at(s->ctx, p->family, p->line, p->from, &h[0]) || !s->at(s->ctx, p->family, p->line, p->to, &h[1]))
         return 0;
     if (!s->perspective) h[0].e = h[1].e = 1;
     if (h[0].e <= 0 || h[1].e <= 0) return 0;
@@ -33,9 +33,9 @@ static int dash_piece(void *ctx, const ink_piece_t *p) {
     int64_t parts = 7 * dashes - 3;
     for (int64_t k = 0; k < dashes; k++) {
         ink_piece_t dash = *p;
-        dash.from_q30 = parameter(p, h, 7 * k, parts);
-        dash.to_q30 = parameter(p, h, 7 * k + 4, parts);
-        if (dash.from_q30 >= dash.to_q30) continue;
+        dash.from = parameter(p, h, 7 * k, parts);
+        dash.to = parameter(p, h, 7 * k + 4, parts);
+        if (dash.from >= dash.to) continue;
         int err = d->next.piece(d->next.ctx, &dash);
         if (err) return err;
     }

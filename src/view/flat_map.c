@@ -77,7 +77,7 @@ void flat_axes_setup(flat_axes_t *a, const page_window_t *window, const num_t lo
 int flat_axes_draw(const flat_axes_t *a, uint8_t surface, const ink_sink_t *sink) {
     int32_t lines = 1 + 2 * (a->tics[0] + a->tics[1]);
     for (int32_t k = 0; k < lines; k++) {
-        ink_piece_t p = {.family = INK_CURVE, .surface = surface, .line = k, .to_q30 = k == 0 ? 4 * INK_ONE : INK_ONE};
+        ink_piece_t p = {.family = INK_CURVE, .surface = surface, .line = k, .to = k == 0 ? 4 * INK_ONE : INK_ONE};
         int err = sink->piece(sink->ctx, &p);
         if (err) return err;
     }
@@ -116,8 +116,7 @@ int flat_curve_draw(const flat_curve_t *c, uint8_t surface, const ink_sink_t *si
         if (defined && start < 0) start = i;
         if (defined || start < 0) continue;
         if (i - 1 > start) {
-            ink_piece_t p = {
-                .family = INK_CURVE, .surface = surface, .from_q30 = start * INK_ONE, .to_q30 = (i - 1) * INK_ONE};
+            ink_piece_t p = {.family = INK_CURVE, .surface = surface, .from = start * INK_ONE, .to = (i - 1) * INK_ONE};
             int err = sink->piece(sink->ctx, &p);
             if (err) return err;
         }

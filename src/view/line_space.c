@@ -1,6 +1,8 @@
 /* line_space.c - see line_space.h. */
 #include "view/line_space.h"
 
+#include "num/wide.h"
+
 #define CLAMP_LAT 256 /* a rounded cut may fall outside of the window by this much, half a step */
 
 /* The difference is taken in two halves of 30 bits, so that each product fits. */
@@ -11,6 +13,14 @@ static int64_t lerp(int64_t a, int64_t b, int32_t s_q30) {
 
 page_h_t line_space_mix(const page_h_t *a, const page_h_t *b, int32_t s_q30) {
     return (page_h_t){lerp(a->x, b->x, s_q30), lerp(a->y, b->y, s_q30), lerp(a->e, b->e, s_q30)};
+}
+
+static int64_t lerp_fine(int64_t a, int64_t b, int64_t s_q46) {
+    return a + (int64_t)wide_sar(wide_mul_s64(b - a, s_q46), INK_GRID_BITS).lo;
+}
+
+page_h_t line_space_mix_fine(const page_h_t *a, const page_h_t *b, int64_t s_q46) {
+    return (page_h_t){lerp_fine(a->x, b->x, s_q46), lerp_fine(a->y, b->y, s_q46), lerp_fine(a->e, b->e, s_q46)};
 }
 
 static inline int64_t div_nearest(int64_t n, int64_t d) {
@@ -33,9 +43,9 @@ static bool is_near(int32_t a, int32_t b) {
 }
 
 /* A point close to the eye. */
-static bool exact_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t_q30, page_point_t *out) {
+static bool exact_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t, page_point_t *out) {
     num_t h[3];
-    if (!s->exact(s->ctx, family, line, t_q30, h) || num_sign(h[2]) <= 0) return false;
+    if (!s->exact(s->ctx, family, line, t, h) || num_sign(h[2]) <= 0) return false;
     bool fits = true;
     const int64_t x = num_to_fixed(num_div(h[0], h[2]), 0, &fits), y = num_to_fixed(num_div(h[1], h[2]), 0, &fits);
     const int64_t most = 1 << 25; /* beyond any paper */
@@ -44,11 +54,11 @@ static bool exact_point(const line_space_t *s, uint8_t family, int32_t line, int
     return true;
 }
 
-bool line_space_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t_q30, page_point_t *out) {
+bool line_space_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t, page_point_t *out) {
     page_h_t h;
-    if (!s->at(s->ctx, family, line, t_q30, &h)) return false;
+    if (!s->at(s->ctx, family, line, t, &h)) return false;
     if (line_space_is_close(s, h.e)) {
-        if (!exact_point(s, family, line, t_q30, out)) return false;
+        if (!exact_point(s, family, line, t, out)) return false;
     } else {
         if (h.e < s->near_e) return false;
         *out = line_space_divide(s, &h);

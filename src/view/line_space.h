@@ -23,10 +23,10 @@ typedef struct page_h {
 typedef struct line_space {
     void *ctx;
     /* False where there is no such point (a hole). */
-    bool (*at)(void *ctx, uint8_t family, int32_t line, int64_t t_q30, page_h_t *h);
+    bool (*at)(void *ctx, uint8_t family, int32_t line, int64_t t, page_h_t *h);
     /* The same as at, in scaled integers, or NULL: for points so close (line_space_is_close) that lat would be lost in
      * these units. No point in front of the eye is too close then. */
-    bool (*exact)(void *ctx, uint8_t family, int32_t line, int64_t t_q30, num_t h[3]);
+    bool (*exact)(void *ctx, uint8_t family, int32_t line, int64_t t, num_t h[3]);
     const page_window_t *window;
     bool perspective;
     bool all_inside; /* no point is outside of the window: nothing needs cutting */
@@ -39,12 +39,17 @@ static inline bool line_space_is_close(const line_space_t *s, int64_t e) {
     return s->exact != 0 && e < s->near_e << 5;
 }
 
-/* a + (b - a) * s / 2^30 in each coordinate, |a|, |b| < 2^61: how `at` interpolates between vertices. */
+/* a + (b - a) * s / 2^30 (2^46) in each coordinate, |a|, |b| < 2^61: how `at` interpolates between vertices. */
 page_h_t line_space_mix(const page_h_t *a, const page_h_t *b, int32_t s_q30);
+page_h_t line_space_mix_fine(const page_h_t *a, const page_h_t *b, int64_t s_q46);
+/* The one of the two that a family's parameters want. */
+static inline page_h_t line_space_between(uint8_t family, const page_h_t *a, const page_h_t *b, int64_t s) {
+    return ink_bits(family) == INK_ONE_BITS ? line_space_mix(a, b, (int32_t)s) : line_space_mix_fine(a, b, s);
+}
 /* Divides homogeneous coordinates out, to the nearest lat. h->e > 0. */
 page_point_t line_space_divide(const line_space_t *s, const page_h_t *h);
 /* The page point of a parameter, clamped to the window where a rounded cut fell outside by a hair; false if it is
  * not on the paper. */
-bool line_space_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t_q30, page_point_t *out);
+bool line_space_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t, page_point_t *out);
 
 #endif

@@ -20,7 +20,7 @@ typedef struct page_point {
  * on the paper (only possible when the caller made the parameter up; pieces are cut beforehand). */
 typedef struct ink_map {
     void *ctx;
-    bool (*point)(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t_q30, page_point_t *out);
+    bool (*point)(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t, page_point_t *out);
 } ink_map_t;
 
 /* Takes the strokes of a drawing, in drawing order: one move (pen up, to the start of a stroke), then draws (pen down)

@@ -4,6 +4,8 @@
 #include "error.h"
 #include "hidden/ink.h"
 
+_Static_assert(GRID_SIDE_MAX <= INK_GRID_POINTS, "a parameter counts all points of a line");
+
 static page_h_t to_h(const page_map_t *m, const num_t v[3]) {
     int f = m->lines.frac_bits;
     return (page_h_t){num_to_fixed(v[0], f, NULL), num_to_fixed(v[1], f, NULL), num_to_fixed(v[2], f, NULL)};
@@ -71,19 +73,20 @@ static inline bool vertex_h(page_map_t *m, int32_t i, int32_t j, page_h_t *h) {
 
 /* A line ends where it meets a limit of heights: the limit itself is the height there. a_in: the first point of the
  * edge is within the limits. */
-static bool limit_h(page_map_t *m, const int32_t a[2], const int32_t b[2], bool a_in, int32_t s_q30, page_h_t *h) {
+static bool limit_h(page_map_t *m, const int32_t a[2], const int32_t b[2], bool a_in, int64_t s_q46, page_h_t *h) {
     num_t z;
-    int32_t at_q30;
-    if (!m->grid->to_limits || !grid_edge_limit(m->grid, a_in ? a : b, a_in ? b : a, &z, &at_q30)) return false;
+    int64_t at_q46;
+    if (!m->grid->to_limits || !grid_edge_limit(m->grid, a_in ? a : b, a_in ? b : a, &z, &at_q46)) return false;
     page_h_t from = base_h(m, a[0], a[1]), to = base_h(m, b[0], b[1]), share = value_share(m, z);
-    page_h_t base = line_space_mix(&from, &to, s_q30);
+    page_h_t base = line_space_mix_fine(&from, &to, s_q46);
     *h = (page_h_t){base.x + share.x, base.y + share.y, base.e + share.e};
     return true;
 }
 
-static bool lines_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, page_h_t *h) {
+static bool lines_at(void *ctx, uint8_t family, int32_t line, int64_t t, page_h_t *h) {
     page_map_t *m = ctx;
-    int32_t at = (int32_t)(t_q30 >> 30), s = (int32_t)(t_q30 & (INK_ONE - 1));
+    const int32_t at = (int32_t)(t >> INK_GRID_BITS);
+    const int64_t s = t & (INK_GRID_ONE - 1);
     bool row = family == INK_ROW;
     int32_t i = row ? at : line, j = row ? line : at;
     bool a_in = vertex_h(m, i, j, h);
@@ -94,17 +97,17 @@ static bool lines_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, pag
         const int32_t a[2] = {i, j}, b[2] = {i + row, j + !row};
         return a_in != b_in && limit_h(m, a, b, a_in, s, h);
     }
-    *h = line_space_mix(h, &next, s);
+    *h = line_space_mix_fine(h, &next, s);
     return true;
 }
 
 /* Interpolated in the world, before it is projected: less stack, and as exact. */
-static bool exact_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, num_t h[3]) {
+static bool exact_at(void *ctx, uint8_t family, int32_t line, int64_t t, num_t h[3]) {
     const page_map_t *m = ctx;
     const surface_t *src = m->grid->src;
     const bool row = family == INK_ROW;
-    const int32_t at = (int32_t)(t_q30 >> 30), i = row ? at : line, j = row ? line : at;
-    const num_t part = num_from_fixed(t_q30 & (INK_ONE - 1), 30);
+    const int32_t at = (int32_t)(t >> INK_GRID_BITS), i = row ? at : line, j = row ? line : at;
+    const num_t part = num_from_fixed(t & (INK_GRID_ONE - 1), INK_GRID_BITS);
     num_t p[3], next;
     if (!grid_value(m->grid, i, j, &p[2])) return false;
     p[0] = src->x_of(src->ctx, i);

@@ -26,8 +26,8 @@ static int count(void *ctx, int32_t face, const poly_t *p) {
     *vertices += poly_vertices(p);
     return 0;
 }
-static int no_wire(void *ctx, int32_t edge, int32_t from_q30, int32_t to_q30) {
-    (void)ctx, (void)edge, (void)from_q30, (void)to_q30;
+static int no_wire(void *ctx, int32_t edge, int32_t from, int32_t to) {
+    (void)ctx, (void)edge, (void)from, (void)to;
     return 0;
 }
 

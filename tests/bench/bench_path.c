@@ -27,11 +27,11 @@ static double map_ns(surface_ink_t *s) {
     for (int k = 0; k < s->pieces; k++) {
         const ink_piece_t *p = &s->piece[k];
         page_point_t q;
-        for (int64_t t = p->from_q30; t <= p->to_q30; t = (t / INK_ONE + 1) * INK_ONE) {
+        for (int64_t t = p->from, last = -1; t != last; last = t, t = ink_next(p->family, t, p->to)) {
             if (surface_ink_point(s, p->family, 0, p->line, t, &q)) sum += q.x_lat;
         }
         for (int again = 0; again < 3; again++) {
-            if (surface_ink_point(s, p->family, 0, p->line, again ? p->from_q30 : p->to_q30, &q)) sum += q.x_lat;
+            if (surface_ink_point(s, p->family, 0, p->line, again ? p->from : p->to, &q)) sum += q.x_lat;
         }
     }
     return now_ns() - start + (sum == 1);

@@ -28,7 +28,7 @@ static double now(void) {
 
 static int drop(void *ctx, const ink_piece_t *p) {
     int64_t *sum = ctx;
-    *sum += p->to_q30 - p->from_q30;
+    *sum += p->to - p->from;
     return 0;
 }
 

@@ -38,7 +38,7 @@ static num_t z_of(void *ctx, int32_t i, int32_t j) {
 
 static int drop(void *ctx, const ink_piece_t *p) {
     int64_t *sum = ctx;
-    *sum += p->to_q30 - p->from_q30;
+    *sum += p->to - p->from;
     return 0;
 }
 

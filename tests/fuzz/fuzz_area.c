@@ -15,7 +15,7 @@ enum { POOL = 1024, HEAD = 10 };
 
 static int take(void *ctx, const ink_piece_t *p) {
     const solid_t *s = ctx;
-    if (p->line < 0 || p->from_q30 < 0 || p->to_q30 > INK_ONE || p->from_q30 >= p->to_q30) abort();
+    if (p->line < 0 || p->from < 0 || p->to > INK_ONE || p->from >= p->to) abort();
     if (p->family == INK_SEGMENT && p->line >= s->ne + s->nd) abort();
     return 0;
 }

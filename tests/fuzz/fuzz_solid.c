@@ -20,20 +20,19 @@ typedef struct drawn {
 
 static int take(void *ctx, const ink_piece_t *p) {
     drawn_t *d = ctx;
-    if (p->family != INK_SEGMENT || p->line < 0 || p->line >= d->solid->ne || p->from_q30 < 0 || p->to_q30 > INK_ONE ||
-        p->from_q30 >= p->to_q30)
+    if (p->family != INK_SEGMENT || p->line < 0 || p->line >= d->solid->ne || p->from < 0 || p->to > INK_ONE ||
+        p->from >= p->to)
         abort();
-    if (p->line == d->line && p->from_q30 < d->last_to) abort(); /* in order, disjoint */
+    if (p->line == d->line && p->from < d->last_to) abort(); /* in order, disjoint */
     if (p->line < d->line) abort();
     d->line = p->line;
-    d->last_to = p->to_q30;
+    d->last_to = p->to;
     return 0;
 }
 
 static int check(void *ctx, const ink_piece_t *p) {
     const solid_map_t *m = ctx;
-    if (p->line < 0 || p->line >= m->solid->ne || p->from_q30 < 0 || p->to_q30 > INK_ONE || p->from_q30 >= p->to_q30)
-        abort();
+    if (p->line < 0 || p->line >= m->solid->ne || p->from < 0 || p->to > INK_ONE || p->from >= p->to) abort();
     return 0;
 }
 

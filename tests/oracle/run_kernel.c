@@ -33,8 +33,9 @@ static int take(void *ctx, const ink_piece_t *p) {
         d->piece = realloc(d->piece, d->cap * sizeof *d->piece);
         if (!d->piece) abort();
     }
+    const double one = (double)ink_one(p->family);
     int family = p->family == INK_ROW ? REF_ROW : p->family == INK_COL ? REF_COL : p->family;
-    d->piece[d->n++] = (judge_piece_t){family, p->line, (double)p->from_q30 * 0x1p-30, (double)p->to_q30 * 0x1p-30};
+    d->piece[d->n++] = (judge_piece_t){family, p->line, (double)p->from / one, (double)p->to / one};
     return 0;
 }
 

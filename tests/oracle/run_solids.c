@@ -41,7 +41,7 @@ static void measure_moved(ink_t *i, const double a[3], const double b[3], int ed
 
 static int take(void *ctx, const ink_piece_t *p) {
     ink_t *i = ctx;
-    double a[3], b[3], from = (double)p->from_q30 / (double)INK_ONE, to = (double)p->to_q30 / (double)INK_ONE;
+    double a[3], b[3], from = (double)p->from / (double)INK_ONE, to = (double)p->to / (double)INK_ONE;
     bool turned;
     world(i->solid, i->solid->edge[p->line].v[0], a);
     world(i->solid, i->solid->edge[p->line].v[1], b);

@@ -59,8 +59,8 @@ static int perimeter_and_horizon(const scene_t *s, run_drawing_t *a, run_drawing
         if (a->piece[i].family == REF_COL)
             err = sink.piece(sink.ctx, &(ink_piece_t){.family = INK_COL,
                                                       .line = a->piece[i].line,
-                                                      .from_q30 = (int64_t)(a->piece[i].from * 0x1p30),
-                                                      .to_q30 = (int64_t)(a->piece[i].to * 0x1p30)});
+                                                      .from = (int64_t)(a->piece[i].from * 0x1p46),
+                                                      .to = (int64_t)(a->piece[i].to * 0x1p46)});
     return err;
 }
 
@@ -88,8 +88,8 @@ static int one_and_several(const scene_t *s, run_drawing_t *a, run_drawing_t *b)
         for (size_t i = 0; i < d[k].n && !err; i++)
             err = sink.piece(sink.ctx, &(ink_piece_t){.family = d[k].piece[i].family == REF_ROW ? INK_ROW : INK_COL,
                                                       .line = d[k].piece[i].line,
-                                                      .from_q30 = (int64_t)(d[k].piece[i].from * 0x1p30),
-                                                      .to_q30 = (int64_t)(d[k].piece[i].to * 0x1p30)});
+                                                      .from = (int64_t)(d[k].piece[i].from * 0x1p46),
+                                                      .to = (int64_t)(d[k].piece[i].to * 0x1p46)});
     free(sheet[1].hole);
     for (int k = 0; k < 2; k++) run_drawing_free(&d[k]);
     return err;

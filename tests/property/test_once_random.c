@@ -34,7 +34,7 @@ static int take(void *ctx, const ink_piece_t *p) {
     double at[2][2];
     for (int k = 0; k < 2; k++) {
         page_h_t h;
-        if (!i->space->at(i->space->ctx, p->family, p->line, k ? p->to_q30 : p->from_q30, &h) || h.e <= 0) return 0;
+        if (!i->space->at(i->space->ctx, p->family, p->line, k ? p->to : p->from, &h) || h.e <= 0) return 0;
         at[k][0] = (double)h.x / (double)h.e * LAT_MM;
         at[k][1] = (double)h.y / (double)h.e * LAT_MM;
     }

@@ -47,8 +47,8 @@ static int give_edge(const ink_sink_t *s, uint8_t family, int line, int cell, co
         int from = u;
         if (!unit[u]) continue;
         while (u < UNITS && unit[u]) u++;
-        ink_piece_t p = {family, 0, line, cell * INK_ONE + from * (INK_ONE / UNITS),
-                         cell * INK_ONE + u * (INK_ONE / UNITS)};
+        ink_piece_t p = {family, 0, line, cell * ink_one(family) + from * (ink_one(family) / UNITS),
+                         cell * ink_one(family) + u * (ink_one(family) / UNITS)};
         int err = s->piece(s->ctx, &p);
         if (err) return err;
     }
@@ -269,9 +269,10 @@ static void the_door_is_guarded(void **state) {
     c.step_lat = PATH_STEP_MIN;
     assert_int_equal(path_init(&path, mem, sizeof mem, &c, &map, &pen), 0);
     ink_sink_t s = path_sink(&path);
-    const ink_piece_t bad[] = {
-        {INK_ROW, 0, 0, -1, INK_ONE}, {INK_ROW, 0, 0, 2, 1}, {INK_ROW, 0, 0, 0, RUN_T_LIMIT}, {9, 0, 0, 0, 1}};
-    for (int i = 0; i < 4; i++) assert_int_equal(s.piece(s.ctx, &bad[i]), ERR_VALUE);
+    const ink_piece_t bad[] = {{INK_ROW, 0, 0, -1, INK_ONE},     {INK_ROW, 0, 0, 2, 1},
+                               {INK_ROW, 0, 0, 0, RUN_T_LIMIT},  {9, 0, 0, 0, 1},
+                               {INK_ROW, RUN_SURFACES, 0, 0, 1}, {INK_ROW, 0, RUN_LINE_LIMIT, 0, 1}};
+    for (int i = 0; i < 6; i++) assert_int_equal(s.piece(s.ctx, &bad[i]), ERR_VALUE);
     assert_int_equal(path_polyline(&path, 0, 3, 5), 0);
     path_stats_t stats;
     assert_int_equal(path_finish(&path, &stats), 0);
@@ -281,8 +282,8 @@ static void the_door_is_guarded(void **state) {
 }
 
 /* A point only where x is not negative: a map that loses runs does not lose the rest. */
-static bool half_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t_q30, page_point_t *out) {
-    return flat_point(ctx, family, surface, line, t_q30, out) && out->x_lat >= 4 * UNITS * UNIT;
+static bool half_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t, page_point_t *out) {
+    return flat_point(ctx, family, surface, line, t, out) && out->x_lat >= 4 * UNITS * UNIT;
 }
 
 static void runs_off_the_paper_are_counted(void **state) {
@@ -299,7 +300,7 @@ static void runs_off_the_paper_are_counted(void **state) {
     assert_int_equal(path_init(&path, mem, sizeof mem, &c, &map, &pen), 0);
     ink_sink_t s = path_sink(&path);
     for (int i = 0; i < 10; i++) {
-        ink_piece_t p = {INK_COL, 0, i, 0, 3 * INK_ONE};
+        ink_piece_t p = {INK_COL, 0, i, 0, 3 * INK_GRID_ONE};
         assert_int_equal(s.piece(s.ctx, &p), 0);
     }
     assert_int_equal(path_finish(&path, &stats), 0);
@@ -309,9 +310,9 @@ static void runs_off_the_paper_are_counted(void **state) {
 }
 
 /* All lines between the same two places, as a fan seen edge-on would have them. */
-static bool crowd_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t_q30, page_point_t *out) {
+static bool crowd_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t, page_point_t *out) {
     (void)ctx, (void)family, (void)surface, (void)line;
-    *out = (page_point_t){1000 + (int32_t)(t_q30 >> 10), 1000};
+    *out = (page_point_t){1000 + (int32_t)(t >> 10), 1000};
     return true;
 }
 

@@ -50,8 +50,8 @@ static void share(const surface_ref_t *sheet, int n, int k, const run_drawing_t 
                 double from = fmax(all.from, cell), to = fmin(all.to, cell + 1);
                 sink.piece(sink.ctx, &(ink_piece_t){.family = all.family == REF_ROW ? INK_ROW : INK_COL,
                                                     .line = all.line,
-                                                    .from_q30 = (int64_t)ldexp(from, 30),
-                                                    .to_q30 = (int64_t)ldexp(to, 30)});
+                                                    .from = (int64_t)ldexp(from, INK_GRID_BITS),
+                                                    .to = (int64_t)ldexp(to, INK_GRID_BITS)});
             }
         }
     }

@@ -308,8 +308,8 @@ static void try_places(tally_t *n) {
             .12 * LAT_PER_MM / (2. * c.hatch.reach_lat) * (double)INK_ONE; /* of what is left out as dots */
         for (int q = 0; q < c.pieces; q++) {
             if (c.piece[q].line != number) continue;
-            drawn |= c.piece[q].from_q30 <= t && t <= c.piece[q].to_q30;
-            near |= fabs((double)c.piece[q].from_q30 - t) < bit || fabs((double)c.piece[q].to_q30 - t) < bit;
+            drawn |= c.piece[q].from <= t && t <= c.piece[q].to;
+            near |= fabs((double)c.piece[q].from - t) < bit || fabs((double)c.piece[q].to - t) < bit;
         }
         n->places++;
         n->drawn += drawn;

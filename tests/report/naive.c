@@ -45,9 +45,9 @@ static double in_space(const edge_t *e, double u) {
 
 static void emit(const naive_t *n, int family, int line, int k, double from, double to) {
     ink_piece_t p = {.family = family == REF_ROW ? INK_ROW : INK_COL, .line = line};
-    p.from_q30 = k * INK_ONE + (int64_t)(from * (double)INK_ONE);
-    p.to_q30 = k * INK_ONE + (int64_t)(to * (double)INK_ONE);
-    if (p.from_q30 < p.to_q30) n->sink->piece(n->sink->ctx, &p);
+    p.from = k * INK_GRID_ONE + (int64_t)(from * (double)INK_GRID_ONE);
+    p.to = k * INK_GRID_ONE + (int64_t)(to * (double)INK_GRID_ONE);
+    if (p.from < p.to) n->sink->piece(n->sink->ctx, &p);
 }
 
 /* Walks the columns of an edge: emits what is outside of the horizons, or raises them. */

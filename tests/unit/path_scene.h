@@ -17,10 +17,10 @@ typedef struct flat {
     int64_t asked;
 } flat_t;
 
-static inline bool flat_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t_q30,
-                              page_point_t *out) {
+static inline bool flat_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t, page_point_t *out) {
     flat_t *f = ctx;
-    int32_t along = (int32_t)((t_q30 * f->cell_lat + INK_ONE / 2) >> 30), across = line * f->cell_lat;
+    const int bits = ink_bits(family);
+    int32_t along = (int32_t)(((t >> (bits - 30)) * f->cell_lat + INK_ONE / 2) >> 30), across = line * f->cell_lat;
     (void)surface;
     f->asked++;
     *out = family == INK_COL ? (page_point_t){across, along} : (page_point_t){along, across};

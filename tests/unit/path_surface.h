@@ -55,12 +55,12 @@ static inline int surface_ink_keep(void *ctx, const ink_piece_t *p) {
     return 0;
 }
 
-static inline bool surface_ink_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t_q30,
+static inline bool surface_ink_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t,
                                      page_point_t *out) {
     surface_ink_t *s = ctx;
     page_point_t p;
     (void)surface;
-    if (!line_space_point(&s->map.lines, family, line, t_q30, &p)) return false;
+    if (!line_space_point(&s->map.lines, family, line, t, &p)) return false;
     if (s->scale == 1) {
         *out = p;
         return true;

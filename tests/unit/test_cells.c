@@ -141,7 +141,7 @@ typedef struct drawn {
 
 static int take(void *ctx, const ink_piece_t *p) {
     drawn_t *d = ctx;
-    double from = ldexp((double)p->from_q30, -30), to = ldexp((double)p->to_q30, -30);
+    double from = ldexp((double)p->from, -INK_GRID_BITS), to = ldexp((double)p->to, -INK_GRID_BITS);
     for (int i = 0; i < (N - 1) * SAMPLES; i++) {
         double at = (i + 0.5) / SAMPLES;
         if (at >= from && at <= to) d->twice += d->seen[p->surface][p->family][p->line][i]++;

@@ -46,7 +46,7 @@ static void nobody_with_a_neighbour_is_alone(void **state) {
 }
 
 static int by_line(const void *a, const void *b) {
-    return ((const run_t *)a)->line - ((const run_t *)b)->line;
+    return run_line(a) - run_line(b);
 }
 
 static void sorting_keeps_every_run_with_its_points(void **state) {
@@ -59,25 +59,25 @@ static void sorting_keeps_every_run_with_its_points(void **state) {
         page_point_t *point = malloc((size_t)n * 2 * sizeof *point);
         uint32_t *work = malloc((size_t)n * 8);
         for (int32_t r = 0; r < n; r++) {
-            pool.run[r] = (run_t){.line = r, .from_lo = (uint32_t)r * 3};
+            pool.run[r] = run_pack(&(ink_piece_t){.line = r, .from = (int64_t)r * 3});
             point[2 * r] = somewhere(&seed, 1 << 24);
             point[2 * r + 1] = (page_point_t){point[2 * r].x_lat + r, r};
         }
         sort_runs(&pool, point, work);
         int64_t steps = 0;
         for (int32_t r = 0; r < n; r++) {
-            assert_int_equal(pool.run[r].from_lo, (uint32_t)pool.run[r].line * 3);
-            assert_int_equal(point[2 * r + 1].y_lat, pool.run[r].line);
-            assert_int_equal(point[2 * r + 1].x_lat, point[2 * r].x_lat + pool.run[r].line);
+            assert_int_equal(pool.run[r].from_lo, (uint32_t)run_line(&pool.run[r]) * 3);
+            assert_int_equal(point[2 * r + 1].y_lat, run_line(&pool.run[r]));
+            assert_int_equal(point[2 * r + 1].x_lat, point[2 * r].x_lat + run_line(&pool.run[r]));
             if (r && is_near(point[2 * r], point[2 * r - 2], 1 << 19)) steps++;
         }
         if (n < SORT_RUNS_MIN) {
-            for (int32_t r = 0; r < n; r++) assert_int_equal(pool.run[r].line, r);
+            for (int32_t r = 0; r < n; r++) assert_int_equal(run_line(&pool.run[r]), r);
         } else {
             assert_true(steps > n / 2); /* most are within a thirtieth of the page of the one before */
         }
         qsort(pool.run, (size_t)n, sizeof(run_t), by_line);
-        for (int32_t r = 0; r < n; r++) assert_int_equal(pool.run[r].line, r);
+        for (int32_t r = 0; r < n; r++) assert_int_equal(run_line(&pool.run[r]), r);
         free(pool.run);
         free(point);
         free(work);

@@ -215,11 +215,14 @@ static void test_exact_ties(void **state) {
 
 static void test_unproject(void **state) {
     (void)state;
-    assert_int_equal(chart_unproject(1 << 29, 7, 7), 1 << 29);
+    const int64_t one = (int64_t)1 << 46;
+    assert_int_equal(chart_unproject(1 << 29, 7, 7), one / 2);
     assert_int_equal(chart_unproject(0, 1, 9), 0);
-    assert_int_equal(chart_unproject(1 << 30, 1, 9), 1 << 30);
+    assert_int_equal(chart_unproject(1 << 30, 1, 9), one);
     /* Half-way in the picture, of an edge from distance 1 to distance 3 (reciprocals 3 : 1), is a quarter in space. */
-    assert_true(abs(chart_unproject(1 << 29, 3u << 30, 1u << 30) - (1 << 28)) < 200);
+    assert_true(llabs(chart_unproject(1 << 29, 3u << 30, 1u << 30) - one / 4) < 200 << 16);
+    /* And of one that reaches a million times as far, a millionth and one of it, to a unit. */
+    assert_true(llabs(chart_unproject(1 << 29, 1000000000, 1000) - one / 1000001) <= 1);
 }
 
 /* Zones: w grows with the slope, without jumps, as fine as promised. */

@@ -28,19 +28,20 @@ static int64_t random_in(int64_t lo, int64_t hi) {
     return lo + (int64_t)((rng >> 11) % (uint64_t)(hi - lo + 1));
 }
 
-static bool scene_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, page_h_t *h) {
+static bool scene_at(void *ctx, uint8_t family, int32_t line, int64_t t, page_h_t *h) {
     (void)family, (void)line;
     scene_t *s = ctx;
-    int32_t at = (int32_t)(t_q30 >> 30), f = (int32_t)(t_q30 & (INK_ONE - 1));
-    *h = f ? line_space_mix(&s->vertex[at], &s->vertex[at + 1], f) : s->vertex[at];
+    const int32_t at = (int32_t)(t >> INK_GRID_BITS);
+    const int64_t f = t & (INK_GRID_ONE - 1);
+    *h = f ? line_space_mix_fine(&s->vertex[at], &s->vertex[at + 1], f) : s->vertex[at];
     return true;
 }
 
 static int collect(void *ctx, const ink_piece_t *p) {
     scene_t *s = ctx;
     assert_true(s->n < PIECES);
-    assert_true(p->from_q30 < p->to_q30);
-    assert_true(s->n == 0 || s->out[s->n - 1].to_q30 <= p->from_q30);
+    assert_true(p->from < p->to);
+    assert_true(s->n == 0 || s->out[s->n - 1].to <= p->from);
     s->out[s->n++] = *p;
     return 0;
 }
@@ -74,15 +75,15 @@ static void cuts_at_the_window(void **state) {
         }
         cut_t cut = {&lines, {&s, collect}};
         ink_sink_t sink = cut_sink(&cut);
-        ink_piece_t all = {.from_q30 = random_in(0, INK_ONE),
-                           .to_q30 = random_in(INK_ONE + 1, (VERTICES - 1) * INK_ONE)};
+        ink_piece_t all = {.from = random_in(0, INK_GRID_ONE),
+                           .to = random_in(INK_GRID_ONE + 1, (VERTICES - 1) * INK_GRID_ONE)};
         assert_int_equal(sink.piece(sink.ctx, &all), 0);
 
-        for (int64_t t = all.from_q30; t < all.to_q30; t += INK_ONE / 257) {
+        for (int64_t t = all.from; t < all.to; t += INK_GRID_ONE / 257) {
             bool drawn = false, at_end = false;
             for (int n = 0; n < s.n; n++) {
-                drawn = drawn || (t >= s.out[n].from_q30 && t <= s.out[n].to_q30);
-                at_end = at_end || llabs(t - s.out[n].from_q30) < 4 || llabs(t - s.out[n].to_q30) < 4;
+                drawn = drawn || (t >= s.out[n].from && t <= s.out[n].to);
+                at_end = at_end || llabs(t - s.out[n].from) < 4 || llabs(t - s.out[n].to) < 4;
             }
             double by = inside_by(&lines, t);
             if (at_end || fabs(by) < 2) continue;
@@ -90,8 +91,8 @@ static void cuts_at_the_window(void **state) {
         }
         for (int n = 0; n < s.n; n++) {
             page_point_t p;
-            assert_true(line_space_point(&lines, 0, 0, s.out[n].from_q30, &p));
-            assert_true(line_space_point(&lines, 0, 0, s.out[n].to_q30, &p));
+            assert_true(line_space_point(&lines, 0, 0, s.out[n].from, &p));
+            assert_true(line_space_point(&lines, 0, 0, s.out[n].to, &p));
             assert_true(p.x_lat >= WINDOW.x0_lat && p.x_lat <= WINDOW.x1_lat);
         }
     }

@@ -121,7 +121,7 @@ static void test_limits_are_met(void **state) {
     (void)state;
     grid_t g;
     num_t limit[2] = {num_of(-1), num_of(2)}, z;
-    int32_t s_q30;
+    int64_t s_q46;
     double worst = 0;
     for (int round = 0; round < 300; round++) {
         for (int j = 0; j < NY; j++) {
@@ -135,15 +135,15 @@ static void test_limits_are_met(void **state) {
             double from = heights[0][i], to = heights[0][i + 1];
             if (from < -1 || from > 2 || (to >= -1 && to <= 2)) continue;
             assert_true(to < -1 ? g.below : g.above);
-            assert_true(grid_edge_limit(&g, a, b, &z, &s_q30));
+            assert_true(grid_edge_limit(&g, a, b, &z, &s_q46));
             double met = to < -1 ? -1 : 2;
             assert_true(num_cmp(z, num_of(met)) == 0);
-            worst = fmax(worst, fabs(ldexp(s_q30, -30) - (met - from) / (to - from)));
+            worst = fmax(worst, fabs(ldexp((double)s_q46, -46) - (met - from) / (to - from)));
         }
     }
-    assert_false(grid_edge_limit(&g, (const int32_t[]){0, 0}, (const int32_t[]){0, 1}, &z, &s_q30));
+    assert_false(grid_edge_limit(&g, (const int32_t[]){0, 0}, (const int32_t[]){0, 1}, &z, &s_q46));
     printf("# grid: where limits are met, to %.1e of an edge\n", worst);
-    assert_true(worst < 0x1p-29);
+    assert_true(worst < 0x1p-45);
 }
 
 int main(void) {

@@ -79,7 +79,7 @@ typedef struct drawn {
 static int take(void *ctx, const ink_piece_t *p) {
     drawn_t *d = ctx;
     assert_int_equal(p->family, INK_PROFILE);
-    double from = ldexp((double)p->from_q30, -30), to = ldexp((double)p->to_q30, -30);
+    double from = ldexp((double)p->from, -30), to = ldexp((double)p->to, -30);
     for (int i = 0; i < POINTS * SAMPLES; i++) {
         double at = (i + 0.5) / SAMPLES;
         unsigned char *s = &d->seen[p->line * POINTS * SAMPLES + i];

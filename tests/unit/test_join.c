@@ -30,7 +30,8 @@ static void start(uint32_t pairs) {
 }
 
 static void piece(uint8_t family, int32_t line, double from, double to) {
-    ink_piece_t p = {family, 0, line, (int64_t)(from * (double)INK_ONE), (int64_t)(to * (double)INK_ONE)};
+    ink_piece_t p = {family, 0, line, (int64_t)(from * (double)ink_one(family)),
+                     (int64_t)(to * (double)ink_one(family))};
     assert_int_equal(join_piece(&join, &p), 0);
 }
 
@@ -38,8 +39,8 @@ static void expect(int k, uint8_t family, int32_t line, double from, double to) 
     assert_true(k < got.n);
     assert_int_equal(got.p[k].family, family);
     assert_int_equal(got.p[k].line, line);
-    assert_int_equal(got.p[k].from_q30, (int64_t)(from * (double)INK_ONE));
-    assert_int_equal(got.p[k].to_q30, (int64_t)(to * (double)INK_ONE));
+    assert_int_equal(got.p[k].from, (int64_t)(from * (double)ink_one(family)));
+    assert_int_equal(got.p[k].to, (int64_t)(to * (double)ink_one(family)));
 }
 
 static void pieces_join_through_nodes(void **state) {
@@ -115,8 +116,8 @@ static void lines_and_families_are_kept_apart(void **state) {
     assert_int_equal(join_finish(&join), 0);
     assert_int_equal(got.n, 4 * 32);
     int64_t sum = 0;
-    for (int k = 0; k < got.n; k++) sum += got.p[k].to_q30 - got.p[k].from_q30;
-    assert_int_equal(sum, 4 * 32 * INK_ONE);
+    for (int k = 0; k < got.n; k++) sum += (got.p[k].to - got.p[k].from) >> ink_bits(got.p[k].family);
+    assert_int_equal(sum, 4 * 32);
 }
 
 static void two_lines_share_a_pair(void **state) {
@@ -130,12 +131,12 @@ static void two_lines_share_a_pair(void **state) {
 }
 
 /* Vertex 3 sticks out of the paper: as far as the map goes, the line leaves it and comes back at the same place. */
-static bool spike_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t_q30, page_point_t *p) {
+static bool spike_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t, page_point_t *p) {
     (void)ctx, (void)family, (void)surface, (void)line;
-    int64_t off = t_q30 - 3 * INK_ONE;
+    int64_t off = t - 3 * INK_GRID_ONE;
     if (off < 0) off = -off;
-    if (off < INK_ONE / 100) return false;
-    *p = (page_point_t){0, -(int32_t)(off * CELL >> 30)};
+    if (off < INK_GRID_ONE / 100) return false;
+    *p = (page_point_t){0, -(int32_t)(off * CELL >> INK_GRID_BITS)};
     return true;
 }
 
@@ -161,7 +162,7 @@ static int refuse(void *ctx, const ink_piece_t *p) {
 }
 
 static void errors_of_the_sink_travel(void **state) {
-    ink_piece_t p = {INK_ROW, 0, 0, 0, INK_ONE};
+    ink_piece_t p = {INK_ROW, 0, 0, 0, INK_GRID_ONE};
     (void)state;
     join_init(&join, memory, 1, GAP, &map, (ink_sink_t){NULL, refuse});
     assert_int_equal(join_piece(&join, &p), 0);

@@ -24,7 +24,8 @@ static void start(int32_t cap) {
 }
 
 static void add(uint8_t family, int32_t line, double from, double to) {
-    ink_piece_t p = {family, 0, line, (int64_t)(from * (double)INK_ONE), (int64_t)(to * (double)INK_ONE)};
+    ink_piece_t p = {family, 0, line, (int64_t)(from * (double)ink_one(family)),
+                     (int64_t)(to * (double)ink_one(family))};
     pool.run[pool.n++] = run_pack(&p);
 }
 
@@ -43,14 +44,14 @@ static int32_t strokes(void) {
 }
 
 static void packing_keeps_everything(void **state) {
-    const ink_piece_t p = {INK_CURVE, 255, -5, RUN_T_LIMIT - 12345678901, RUN_T_LIMIT - 1};
+    const ink_piece_t p = {INK_SEGMENT, RUN_SURFACES - 1, -RUN_LINE_LIMIT, RUN_T_LIMIT - 12345678901, RUN_T_LIMIT - 1};
     (void)state;
     run_t r = run_pack(&p);
     assert_int_equal(run_family(&r), p.family);
     assert_int_equal(run_surface(&r), p.surface);
-    assert_int_equal(r.line, p.line);
-    assert_int_equal(run_t_of(&r, 0), p.from_q30);
-    assert_int_equal(run_t_of(&r, 1), p.to_q30);
+    assert_int_equal(run_line(&r), p.line);
+    assert_int_equal(run_t_of(&r, 0), p.from);
+    assert_int_equal(run_t_of(&r, 1), p.to);
     r.to_hi |= RUN_SEEN | RUN_DRAWN;
     run_set_t(&r, 0, 77);
     run_set_t(&r, 1, RUN_T_LIMIT - 2);

@@ -143,8 +143,8 @@ static int add(void *ctx, const ink_piece_t *p) {
     const solid_edge_t *e = &solid.edge[p->line];
     double d = 0;
     for (int k = 0; k < 3; k++) d += pow(solid.vertex[e->v[0]].at[k] - solid.vertex[e->v[1]].at[k], 2);
-    s->length += ldexp(sqrt(d), -solid.shift) * (double)(p->to_q30 - p->from_q30) / (double)INK_ONE;
-    s->q30 += p->to_q30 - p->from_q30;
+    s->length += ldexp(sqrt(d), -solid.shift) * (double)(p->to - p->from) / (double)INK_ONE;
+    s->q30 += p->to - p->from;
     s->pieces++;
     return 0;
 }
@@ -255,7 +255,7 @@ static int collect(void *ctx, const ink_piece_t *p) {
     list_t *l = ctx;
     const solid_edge_t *e = &solid.edge[p->line];
     const int32_t *a = solid.vertex[e->v[0]].at, *b = solid.vertex[e->v[1]].at;
-    double key = 0, t[2] = {(double)p->from_q30, (double)p->to_q30};
+    double key = 0, t[2] = {(double)p->from, (double)p->to};
     for (int s = 0; s < 2; s++)
         for (int k = 0; k < 3; k++) key += (k + 2.7) * (a[k] + (b[k] - a[k]) * t[s] / (double)INK_ONE);
     assert_true(l->n < 4000);

@@ -20,7 +20,7 @@ static const char *const family_name[] = {"smooth", "random", "cliffs", "grazing
 static integer_scene_t scene;
 
 static int drop(void *ctx, const ink_piece_t *p) {
-    *(int64_t *)ctx += p->to_q30 - p->from_q30;
+    *(int64_t *)ctx += p->to - p->from;
     return 0;
 }
 

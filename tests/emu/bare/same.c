@@ -18,7 +18,7 @@ static void hash(uint64_t *h, int64_t v) {
 }
 
 static int take(void *ctx, const ink_piece_t *p) {
-    const int64_t field[] = {p->family, p->surface, p->line, p->from_q30, p->to_q30};
+    const int64_t field[] = {p->family, p->surface, p->line, p->from, p->to};
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
         hash(ctx, field[i]);
         if (telling) bare_number(field[i]);
