@@ -98,9 +98,10 @@ int edges_clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
     if (e->cover == COVER_HORIZONS)
         return e->work == EDGES_LOOK ? horizons_look(&e->horizons, p0, p1) : horizons_clip(&e->horizons, p0, p1);
     if (!e->outline_only) return edges_clip_windowed(e, p0, p1);
-    if (p0.a != p1.a && e->lines < OUTLINE_LINES) {
-        e->outline[e->lines++] = p0.a < p1.a ? (outline_line_t){p0, p1} : (outline_line_t){p1, p0};
-    }
+    if (p0.a == p1.a) return 0;
+    if (e->lines < OUTLINE_LINES)
+        e->outline[e->lines] = p0.a < p1.a ? (outline_line_t){p0, p1} : (outline_line_t){p1, p0};
+    e->lines++;
     return 0;
 }
 

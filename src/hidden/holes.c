@@ -37,10 +37,15 @@ static int facet(sweep_t *s, layer_t *l, int32_t i, int8_t below) {
     int err = side_outline(s, l, i);
     if (err == 0) err = clip_far(s, l, i);
     if (err != 0 || (below == 0 && e->windows.present == 0)) return err;
-    windows_span_t span[WINDOWS_SPANS];
-    const int32_t spans = windows_spans(l->outline, l->lines, span);
-    if (below != 0) err = edges_cover_below(e, span, spans, below);
-    return err != 0 ? err : windows_close(&e->windows, span, spans, below);
+    int32_t end[WINDOWS_ENDS];
+    const int32_t ends = windows_ends(l->outline, l->lines, end);
+    for (int32_t c = 0; c + 1 < ends && err == 0; c++) { /* one span at a time: they take much stack */
+        windows_span_t span;
+        if (!windows_span(l->outline, l->lines, end[c], end[c + 1], &span)) continue;
+        if (below != 0) err = edges_cover_below(e, &span, 1, below);
+        if (err == 0) err = windows_close(&e->windows, &span, 1, below);
+    }
+    return err;
 }
 
 /* Is no window over the facet, and none of its far edges vertical? */

@@ -134,6 +134,7 @@ int side_outline(sweep_t *s, layer_t *l, int32_t i) {
     s->edges.outline_only = true;
     for (int side = 0; side < SIDES && err == 0; side++) err = side_clip(s, l, i, side);
     s->edges.outline_only = false;
+    if (s->edges.lines > OUTLINE_LINES) s->edges.lines = 0;
     l->lines = s->edges.lines;
     return err;
 }

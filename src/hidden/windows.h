@@ -88,6 +88,13 @@ typedef struct windows_span {
 /* The lines make a ring, so there are hardly more spans than lines. */
 #define WINDOWS_SPANS (OUTLINE_LINES + 8)
 
+/* The abscissae where lines end, sorted. Returns how many. */
+#define WINDOWS_ENDS (2 * OUTLINE_LINES)
+int32_t windows_ends(const outline_line_t *line, int32_t n, int32_t end[WINDOWS_ENDS]);
+
+/* The span between two of them that are neighbours; false if there is no line. */
+bool windows_span(const outline_line_t *line, int32_t n, int32_t a0, int32_t a1, windows_span_t *v);
+
 /* A facet's spans from left to right; abscissae without a line are left out. Returns how many. */
 int32_t windows_spans(const outline_line_t *line, int32_t n, windows_span_t span[WINDOWS_SPANS]);
 

@@ -90,39 +90,41 @@ static int close_between(windows_t *w, const shutter_t *t) {
     return 0;
 }
 
-/* The abscissae where lines end, sorted. */
-static int32_t find_ends(const outline_line_t *line, int32_t n, int32_t cut[2 * OUTLINE_LINES]) {
-    int32_t cuts = 0;
+int32_t windows_ends(const outline_line_t *line, int32_t n, int32_t end[WINDOWS_ENDS]) {
+    int32_t ends = 0;
     for (int32_t k = 0; k < n; k++) { /* sorted insertion: there are few */
         for (int e = 0; e < 2; e++) {
-            int32_t a = e ? line[k].q.a : line[k].p.a, at = cuts;
-            while (at > 0 && cut[at - 1] >= a) at--;
-            if (at < cuts && cut[at] == a) continue;
-            for (int32_t m = cuts++; m > at; m--) cut[m] = cut[m - 1];
-            cut[at] = a;
+            int32_t a = e ? line[k].q.a : line[k].p.a, at = ends;
+            while (at > 0 && end[at - 1] >= a) at--;
+            if (at < ends && end[at] == a) continue;
+            for (int32_t m = ends++; m > at; m--) end[m] = end[m - 1];
+            end[at] = a;
         }
     }
-    return cuts;
+    return ends;
+}
+
+bool windows_span(const outline_line_t *line, int32_t n, int32_t a0, int32_t a1, windows_span_t *v) {
+    int32_t lo[2] = {0, 0}, hi[2] = {0, 0};
+    *v = (windows_span_t){.a0 = a0, .a1 = a1};
+    for (int32_t k = 0; k < n; k++) {
+        const outline_line_t *s = &line[k];
+        if (s->p.a > a0 || s->q.a < a1) continue;
+        const int32_t w0 = windows_line_at(s, a0), w1 = windows_line_at(s, a1);
+        if (v->lo == NULL || (int64_t)w0 + w1 < (int64_t)lo[0] + lo[1]) v->lo = s, lo[0] = w0, lo[1] = w1;
+        if (v->hi == NULL || (int64_t)w0 + w1 >= (int64_t)hi[0] + hi[1]) v->hi = s, hi[0] = w0, hi[1] = w1;
+    }
+    v->low = pencil_min(pencil_min(lo[0], lo[1]), pencil_min(hi[0], hi[1]));
+    v->high = pencil_max(pencil_max(lo[0], lo[1]), pencil_max(hi[0], hi[1]));
+    v->cross = lo[0] > hi[0] || lo[1] > hi[1];
+    return v->lo != NULL;
 }
 
 int32_t windows_spans(const outline_line_t *line, int32_t n, windows_span_t span[WINDOWS_SPANS]) {
-    int32_t cut[2 * OUTLINE_LINES], spans = 0;
-    const int32_t cuts = find_ends(line, n, cut);
-    for (int32_t c = 0; c + 1 < cuts && spans < WINDOWS_SPANS; c++) {
-        windows_span_t *v = &span[spans];
-        int32_t lo[2] = {0, 0}, hi[2] = {0, 0};
-        *v = (windows_span_t){.a0 = cut[c], .a1 = cut[c + 1]};
-        for (int32_t k = 0; k < n; k++) {
-            const outline_line_t *s = &line[k];
-            if (s->p.a > v->a0 || s->q.a < v->a1) continue;
-            const int32_t w0 = windows_line_at(s, v->a0), w1 = windows_line_at(s, v->a1);
-            if (v->lo == NULL || (int64_t)w0 + w1 < (int64_t)lo[0] + lo[1]) v->lo = s, lo[0] = w0, lo[1] = w1;
-            if (v->hi == NULL || (int64_t)w0 + w1 >= (int64_t)hi[0] + hi[1]) v->hi = s, hi[0] = w0, hi[1] = w1;
-        }
-        v->low = pencil_min(pencil_min(lo[0], lo[1]), pencil_min(hi[0], hi[1]));
-        v->high = pencil_max(pencil_max(lo[0], lo[1]), pencil_max(hi[0], hi[1]));
-        v->cross = lo[0] > hi[0] || lo[1] > hi[1];
-        spans += v->lo != NULL;
+    int32_t end[WINDOWS_ENDS], spans = 0;
+    const int32_t ends = windows_ends(line, n, end);
+    for (int32_t c = 0; c + 1 < ends && spans < WINDOWS_SPANS; c++) {
+        spans += windows_span(line, n, end[c], end[c + 1], &span[spans]);
     }
     return spans;
 }

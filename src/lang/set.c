@@ -2,7 +2,6 @@
 #include "lang/session_parts.h"
 #include "scene/grid.h"
 
-
 void set_reset(session_t *s) {
     settings_default(&s->settings);
     s->separator = 0;
