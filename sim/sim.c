@@ -23,7 +23,7 @@ static struct {
     void *ctx;
     const char *fault;
     uint32_t late_period, late_by;
-    sim_counts_t counts;
+    uint64_t deadlines; /* interrupts served */
     bool one_by_one;
     uint64_t until; /* edges may be made ahead so far */
     uint32_t edge[EDGES], edges;
@@ -41,7 +41,7 @@ void sim_reset(void) {
     s.fault = NULL;
     s.late_period = 0;
     s.events = 0;
-    s.counts = (sim_counts_t){0};
+    s.deadlines = 0;
 }
 
 void sim_record(sim_recorder_t recorder, void *ctx) {
@@ -58,9 +58,6 @@ uint32_t sim_pins(void) {
 const char *sim_fault(void) {
     return s.fault;
 }
-sim_counts_t sim_counts(void) {
-    return s.counts;
-}
 void sim_set_clock(uint32_t now) {
     s.offset = now - (uint32_t)s.tick;
 }
@@ -75,7 +72,6 @@ void hal_pins_write(uint32_t mask, uint32_t value) {
     uint32_t changed = pins ^ s.pins;
     if (!changed) return;
     s.pins = pins;
-    s.counts.writes++;
     if (s.recorder) s.recorder(s.ctx, s.tick, pins, changed);
 }
 
@@ -100,10 +96,7 @@ uint32_t hal_now(void) {
 
 void hal_timer_arm(uint32_t at) {
     int32_t in = (int32_t)(at - hal_now());
-    if (in < 0) {
-        s.counts.past++;
-        in = 0;
-    }
+    if (in < 0) in = 0; /* it had gone by already */
     s.deadline = s.tick + (uint32_t)in;
     s.armed = true;
 }
@@ -125,8 +118,8 @@ static void play_edges(void) {
 static void serve(uint64_t until) {
     s.armed = false;
     if (s.deadline > s.tick) s.tick = s.deadline;
-    s.counts.deadlines++;
-    if (s.late_period && s.counts.deadlines % s.late_period == 0) s.tick += s.late_by;
+    s.deadlines++;
+    if (s.late_period && s.deadlines % s.late_period == 0) s.tick += s.late_by;
     s.until = s.tick + AHEAD_TICKS < until ? s.tick + AHEAD_TICKS : until;
     if (s.events && s.event[0].tick < s.until) s.until = s.event[0].tick;
     stepgen_isr();

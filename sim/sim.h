@@ -41,11 +41,4 @@ void sim_play_ahead(bool ahead);
 /* The 32-bit clock starts here instead of 0 (to test wrap-around); ticks reported still count from 0. */
 void sim_set_clock(uint32_t now);
 
-typedef struct sim_counts {
-    uint64_t deadlines; /* interrupts served */
-    uint64_t past;      /* armed for a tick that had already gone by */
-    uint64_t writes;    /* that changed a pin */
-} sim_counts_t;
-sim_counts_t sim_counts(void);
-
 #endif

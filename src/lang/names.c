@@ -56,13 +56,6 @@ int names_set(lang_t *l, const char *name, size_t len, value_t v, lang_error_t *
     return 0;
 }
 
-bool names_get(const lang_t *l, const char *name, size_t len, value_t *v) {
-    int i = names_find(l, SYMBOL_VARIABLE, name, len);
-    if (i < 0 || !l->symbol[i].defined) return false;
-    *v = l->symbol[i].u.value;
-    return true;
-}
-
 void names_release(lang_t *l, uint16_t mark) {
     while (l->symbols > mark && !l->symbol[l->symbols - 1].defined) {
         l->symbols--;

@@ -66,8 +66,6 @@ typedef struct lang {
 void names_reset(lang_t *l);
 /* Sets a variable, making it if need be. Returns 0 or ERR_FULL. */
 int names_set(lang_t *l, const char *name, size_t len, value_t v, lang_error_t *err);
-/* The value of a variable; false if there is none of that name. */
-bool names_get(const lang_t *l, const char *name, size_t len, value_t *v);
 /* The index of a symbol, or -1. */
 int names_find(const lang_t *l, enum symbol_kind kind, const char *name, size_t len);
 /* The index of a symbol that is made, undefined, if it does not exist; or ERR_FULL. */

@@ -30,10 +30,6 @@ void data_grid_start(data_grid_t *g, data_pool_t *pool) {
     *g = (data_grid_t){.pool = pool, .z = pool->base + pool->low, .inner = pool->base + pool->high};
 }
 
-bool data_grid_is_empty(const data_grid_t *g) {
-    return g->outer_n == 0 && g->at == 0;
-}
-
 static int refuse(enum data_grid_trouble why, enum data_grid_trouble *trouble) {
     *trouble = why;
     return why == DATA_FULL ? ERR_FULL : ERR_DATA;

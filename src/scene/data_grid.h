@@ -58,7 +58,6 @@ int data_grid_point(data_grid_t *g, num_t x, num_t y, num_t z, enum data_grid_tr
 int data_grid_break(data_grid_t *g, enum data_grid_trouble *trouble);
 /* The end of the data: ends the last block. */
 int data_grid_finish(data_grid_t *g, enum data_grid_trouble *trouble);
-bool data_grid_is_empty(const data_grid_t *g);
 /* A sentence for trouble. */
 const char *data_grid_text(enum data_grid_trouble trouble);
 

@@ -1,5 +1,6 @@
 /* solid_scenes.c - see solid_scenes.h. */
 #include "tests/oracle/solid_scenes.h"
+#include "tests/oracle/num_of.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -161,12 +162,6 @@ static void object(solid_ref_t *r, bool lattice) {
             solid_ref_line(r, put(r, &p, uniform(-3, 3), uniform(-3, 3), uniform(-2, 2)),
                            put(r, &p, uniform(-3, 3), uniform(-3, 3), uniform(-2, 2)));
     }
-}
-
-static num_t num_of(double v) {
-    int e;
-    double f = frexp(v, &e);
-    return num_from_fixed((int64_t)ldexp(f, 53), 53 - e);
 }
 
 static void set_view(solid_scene_t *s, bool lattice) {

@@ -12,23 +12,13 @@
 
 #include "error.h"
 #include "hidden/perimeter.h"
+#include "tests/oracle/num_of.h"
+#define DICE_SEED 11
+#include "tests/unit/dice.h"
 
 #define N 9
 #define SURFACES 3
 #define SAMPLES 24
-
-static uint64_t rng = 11;
-
-static double uniform(void) {
-    rng ^= rng << 13, rng ^= rng >> 7, rng ^= rng << 17;
-    return (double)(rng >> 11) * 0x1p-53;
-}
-
-static num_t num_of(double v) {
-    int e;
-    double f = frexp(v, &e);
-    return num_from_fixed((int64_t)ldexp(f, 53), 53 - e);
-}
 
 /* Points (i, j), heights z or NAN. */
 typedef struct scene {

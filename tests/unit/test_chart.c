@@ -9,15 +9,10 @@
 
 #include <cmocka.h>
 
+#include "tests/oracle/num_of.h"
 #include "view/chart_around.h"
 
 #define MOST 16
-
-static num_t num_of(double v) {
-    int e;
-    double f = frexp(v, &e);
-    return num_from_fixed((int64_t)ldexp(f, 53), 53 - e);
-}
 
 typedef struct field {
     int nx, ny;

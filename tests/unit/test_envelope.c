@@ -10,13 +10,8 @@
 
 #include "error.h"
 #include "hidden/horizons.h"
-
-static uint64_t rng = 3;
-
-static int32_t below(int32_t n) {
-    rng ^= rng << 13, rng ^= rng >> 7, rng ^= rng << 17;
-    return (int32_t)((rng >> 11) % (uint64_t)n);
-}
+#define DICE_SEED 3
+#include "tests/unit/dice.h"
 
 #define EDGES 300
 #define SAMPLES 64

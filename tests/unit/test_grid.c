@@ -11,21 +11,16 @@
 
 #include "error.h"
 #include "scene/grid.h"
+#include "tests/oracle/num_of.h"
+#define DICE_SEED 5
+#include "tests/unit/dice.h"
 
 #define NX 23
 #define NY 17
 
-static uint64_t rng = 5;
-
-static double uniform(void) {
-    rng ^= rng << 13, rng ^= rng >> 7, rng ^= rng << 17;
-    return (double)(rng >> 11) * 0x1p-53;
-}
-
-static num_t num_of(double v) {
-    int e;
-    double f = frexp(v, &e);
-    return isnan(v) ? num_undef() : num_from_fixed((int64_t)ldexp(f, 53), 53 - e);
+/* A hole is NAN. */
+static num_t height_of(double v) {
+    return isnan(v) ? num_undef() : num_of(v);
 }
 
 static double heights[NY][NX];
@@ -36,7 +31,7 @@ static num_t axis_of(void *ctx, int32_t k) {
 }
 static num_t z_of(void *ctx, int32_t i, int32_t j) {
     (void)ctx;
-    return num_of(heights[j][i]);
+    return height_of(heights[j][i]);
 }
 
 static const surface_t src = {NX, NY, NULL, axis_of, axis_of, z_of, NULL};

@@ -12,22 +12,12 @@
 
 #include "error.h"
 #include "hidden/horizon.h"
+#include "tests/oracle/num_of.h"
+#define DICE_SEED 1
+#include "tests/unit/dice.h"
 
 #define PROFILES 30
 #define POINTS 25
-
-static uint64_t rng = 1;
-
-static double uniform(void) {
-    rng ^= rng << 13, rng ^= rng >> 7, rng ^= rng << 17;
-    return (double)(rng >> 11) * 0x1p-53;
-}
-
-static num_t num_of(double v) {
-    int e;
-    double f = frexp(v, &e);
-    return num_from_fixed((int64_t)ldexp(f, 53), 53 - e);
-}
 
 /* Profiles along y = k, points with their own x, height NAN in a gap. */
 typedef struct terrain {

@@ -12,21 +12,11 @@
 
 #include "error.h"
 #include "scene/profiles_mesh.h"
+#include "tests/oracle/num_of.h"
+#define DICE_SEED 7
+#include "tests/unit/dice.h"
 
 #define N 9
-
-static uint64_t rng = 7;
-
-static double uniform(void) {
-    rng ^= rng << 13, rng ^= rng >> 7, rng ^= rng << 17;
-    return (double)(rng >> 11) * 0x1p-53;
-}
-
-static num_t num_of(double v) {
-    int e;
-    double f = frexp(v, &e);
-    return num_from_fixed((int64_t)ldexp(f, 53), 53 - e);
-}
 
 static double value(num_t a) {
     return ldexp((double)a.m, a.e);

@@ -10,17 +10,12 @@
 
 #include "error.h"
 #include "hidden/windows.h"
+#define DICE_SEED 5
+#include "tests/unit/dice.h"
 
 #define COLUMNS 40
 #define WIDTH 100 /* units of a in a column: looked at in its middle */
 #define CLEAR 40  /* what is nearer than that to a border is not judged */
-
-static uint64_t rng = 5;
-
-static int32_t below(int32_t n) {
-    rng ^= rng << 13, rng ^= rng >> 7, rng ^= rng << 17;
-    return (int32_t)((rng >> 11) % (uint64_t)n);
-}
 
 /* The model: an open interval of each column is what the edge left, minus the facets. */
 #define HEIGHT 4000
