@@ -106,10 +106,10 @@ void judge_edge(const judge_subject_t *r, const page_view_t *v, int family, int 
     if (steps > 0 && page_view_clip(v, e, &t0, &t1) && page_view_point(v, between(e, t0), &x0, &y0) &&
         page_view_point(v, between(e, t1), &x1, &y1) && hypot(x1 - x0, y1 - y0) > 0) {
         double d = steps * STEP / hypot(x1 - x0, y1 - y0);
-        for (int s = 0; s < 2; s++) {
-            double side = s ? d : -d;
-            page_view_shift(v, e, -side * (y1 - y0), side * (x1 - x0), moved[s]);
-            r->moved(r->ref, family, line, k, moved[s], &part);
+        for (int s = 0; s < 4; s++) { /* by less as well: what is next to it may be thinner than a step */
+            double side = (s & 1 ? d : -d) * (s < 2 ? .125 : 1);
+            page_view_shift(v, e, -side * (y1 - y0), side * (x1 - x0), moved[s & 1]);
+            r->moved(r->ref, family, line, k, moved[s & 1], &part);
             spans_subtract(visible, &part, &keep);
             spans_copy(&keep, visible);
             spans_intersect(hidden, &part, &keep);
@@ -161,11 +161,19 @@ static void forgive(const line_t *l, const spans_t *bad, bool is_false, spans_t 
     spans_free(&keep);
 }
 
+/* Does the line stay on the page from a to b? What leaves it may come back anywhere. */
+static bool is_on_page(const line_t *l, long double a, long double b) {
+    for (size_t i = 0; i < l->page.n; i++)
+        if (l->page.s[i].a <= a && b <= l->page.s[i].b) return true;
+    return false;
+}
+
 /* s with gaps and then intervals shorter than a quarter step taken out: where ink ends for the eye. */
 static void smooth(const line_t *l, const spans_t *s, spans_t *out) {
     spans_clear(out);
     for (size_t i = 0; i < s->n; i++) {
-        if (out->n && length(l, out->s[out->n - 1].b, s->s[i].a) < CLOSE_ENOUGH * STEP)
+        if (out->n && is_on_page(l, out->s[out->n - 1].b, s->s[i].a) &&
+            length(l, out->s[out->n - 1].b, s->s[i].a) < CLOSE_ENOUGH * STEP)
             out->s[out->n - 1].b = s->s[i].b;
         else
             spans_add(out, s->s[i].a, s->s[i].b);

@@ -275,7 +275,7 @@ static void test_families(void **state) {
     int failed = 0;
     cases_t c[FAMILIES];
     for (int f = 0; f < FAMILIES; f++)
-        c[f] = (cases_t){.name = families[f].name, .program = "test_extreme_random", .grain = true};
+        c[f] = (cases_t){.name = families[f].name, .program = "test_extreme_random"};
     if (cases_only_seed(&first)) {
         count = 1;
     } else {
