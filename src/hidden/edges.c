@@ -95,8 +95,12 @@ static bool is_in_plane_of_eye(const edges_t *e) {
 int edges_clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
     if (e->chart.kind == CHART_VERTICAL) return edges_take_unseen(e, 0, INK_GRID_ONE);
     if (envelope_vertical(p0, p1)) e->horizons.in_plane = is_in_plane_of_eye(e);
-    if (e->cover == COVER_HORIZONS)
+    if (e->cover == COVER_HORIZONS && e->work != EDGES_COVER)
         return e->work == EDGES_LOOK ? horizons_look(&e->horizons, p0, p1) : horizons_clip(&e->horizons, p0, p1);
+    if (e->cover == COVER_HORIZONS) {
+        if (p0.a == p1.a) return 0;
+        return p0.a < p1.a ? horizons_raise(&e->horizons, p0, p1) : horizons_raise(&e->horizons, p1, p0);
+    }
     if (!e->outline_only) return edges_clip_windowed(e, p0, p1);
     if (p0.a == p1.a) return 0;
     if (e->lines < OUTLINE_LINES)

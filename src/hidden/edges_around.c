@@ -167,7 +167,7 @@ static int64_t between(int64_t x, int64_t y, int64_t num, int64_t den) {
     return x + d / den * num + d % den * num / den;
 }
 
-int edges_clip_around(edges_t *e, edges_place_t p, edges_place_t q) {
+static int clip_sectors(edges_t *e, edges_place_t p, edges_place_t q) {
     bool along_x = e->edge.family == INK_ROW;
     int32_t fixed = along_x ? p.y : p.x, v0 = along_x ? p.x : p.y, v1 = along_x ? q.x : q.y;
     int32_t side = (int32_t)size32(fixed), cuts = fixed == 0 ? 1 : 2;
@@ -185,4 +185,16 @@ int edges_clip_around(edges_t *e, edges_place_t p, edges_place_t q) {
         from_q46 = to_q46;
     }
     return edges_clip_in_sector(e, from, q, from_q46, INK_GRID_ONE);
+}
+
+/* All parts are looked at before any of them covers: one that is vertical in the chart, as a cliff is close to the
+ * level of the eye, would be hidden by the next one, which begins where it ends. */
+int edges_clip_around(edges_t *e, edges_place_t p, edges_place_t q) {
+    if (e->work != EDGES_CLIP || e->outline_only) return clip_sectors(e, p, q);
+    e->work = EDGES_LOOK;
+    int err = clip_sectors(e, p, q);
+    e->work = EDGES_COVER;
+    if (err == 0) err = clip_sectors(e, p, q);
+    e->work = EDGES_CLIP;
+    return err;
 }

@@ -39,40 +39,6 @@ bool cases_good(const judge_report_t *r) {
            r->end_steps <= CASES_END_STEPS;
 }
 
-/* The page length of 2^-30 of an edge, around parameter t of a grid line: what an end of ink is rounded to. */
-static double grain_at(const scene_t *s, int family, int line, double t) {
-    const int edges = (family ? s->ref.ny : s->ref.nx) - 1;
-    double most = 0;
-    for (int k = (int)floor(t - 1e-6); k <= (int)floor(t + 1e-6); k++) {
-        if (k < 0 || k >= edges) continue;
-        const exact_point_t a = surface_ref_node(&s->ref, family ? line : k, family ? k : line);
-        const exact_point_t b = surface_ref_node(&s->ref, family ? line : k + 1, family ? k + 1 : line);
-        double page[2][2], u[2];
-        bool seen = true;
-        for (int e = 0; e < 2; e++) {
-            u[e] = fmin(fmax(t - k + (e ? 0x1p-26 : -0x1p-26), 0), 1);
-            const exact_point_t p = {a.x + u[e] * (b.x - a.x), a.y + u[e] * (b.y - a.y), a.z + u[e] * (b.z - a.z)};
-            seen = seen && page_view_point(&s->view, p, &page[e][0], &page[e][1]);
-        }
-        if (seen && u[0] < u[1])
-            most = fmax(most, hypot(page[1][0] - page[0][0], page[1][1] - page[0][1]) / (u[1] - u[0]) * 0x1p-30);
-    }
-    return most;
-}
-
-static double grain_of(const scene_t *s, const judge_spot_t *at) {
-    return fmax(grain_at(s, at->family, at->line, at->from), grain_at(s, at->family, at->line, at->to));
-}
-
-/* The report without what is due to the grain of ends: CASES_GRAINS of them at the place of each worst figure. */
-static judge_report_t beyond_grain(const scene_t *s, const judge_report_t *r) {
-    judge_report_t out = *r;
-    out.missing_mm -= CASES_GRAINS * grain_of(s, &r->missing);
-    out.false_mm -= CASES_GRAINS * grain_of(s, &r->falsely);
-    out.end_steps -= CASES_GRAINS * grain_of(s, &r->end) / JUDGE_STEP_MM;
-    return out;
-}
-
 static int draw_and_judge(const scene_t *s, int every, judge_report_t *rep, hidden_stats_t *stats) {
     run_drawing_t d = {0};
     int err = run_perimeter(s, &d, stats);
@@ -88,9 +54,8 @@ static int draw_and_judge(const scene_t *s, int every, judge_report_t *rep, hidd
 static int fails(void *ctx, const scene_t *s) {
     judge_report_t rep;
     hidden_stats_t stats;
-    const cases_t *c = ctx;
+    (void)ctx;
     if (draw_and_judge(s, 0, &rep, &stats) != 0) return 1;
-    if (c->grain) rep = beyond_grain(s, &rep);
     return !cases_good(&rep);
 }
 
@@ -108,21 +73,16 @@ bool cases_surface(cases_t *c, const scene_t *s, uint64_t seed, bool shrink) {
     int err = draw_and_judge(s, c->every, &rep, &stats);
     c->run++;
     c->facets += stats.facets;
-    const judge_report_t told = rep;
-    if (c->grain && err == 0 && !cases_good(&rep)) {
-        rep = beyond_grain(s, &rep);
-        c->grained += cases_good(&rep);
-    }
     judge_worst(&c->worst, &rep);
     if (err == 0 && cases_good(&rep)) return true;
-    tell(c->name, s, err, &told);
+    tell(c->name, s, err, &rep);
     if (c->program)
         printf("#   repeat: RIDGELINE_SEED=%llu build/tests/property/%s\n", (unsigned long long)seed, c->program);
     if (shrink) {
         scene_t small;
         printf("#   shrunk:\n");
         scene_copy(s, &small);
-        scene_shrink(&small, fails, c);
+        scene_shrink(&small, fails, NULL);
         scene_print(&small);
         err = draw_and_judge(&small, 0, &rep, &stats);
         tell("shrunk", &small, err, &rep);
@@ -153,7 +113,6 @@ void cases_summary(const cases_t *c) {
         "twice %.4f mm",
         c->name, (long long)c->run, (long long)c->facets, w->ink_mm / 1000, w->missing_mm / JUDGE_STEP_MM,
         w->false_mm / JUDGE_STEP_MM, w->end_steps, w->twice_mm);
-    if (c->grained > 0) printf("; %lld within the grain of ends", (long long)c->grained);
     printf("\n");
     fflush(stdout);
 }

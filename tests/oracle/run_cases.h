@@ -7,20 +7,14 @@
 #include "tests/oracle/run_kernel.h"
 
 /* The limits of every test: no run of missing or false ink longer than one step, ends within a quarter step, nothing
- * drawn twice (but for the rounding of a crossing to the nearest 2^-30 of a cell). */
+ * drawn twice (but for the rounding of a crossing to the nearest unit). */
 #define CASES_RUN_MM JUDGE_STEP_MM
 #define CASES_END_STEPS 0.25
 #define CASES_TWICE_MM 1e-3
 
-/* An end of ink is rounded to 2^-30 of its edge's length, twice or three times on its way (hidden/ink.h): where edges
- * are more than 20,000 times as long as they are away, that is more than the limits. */
-#define CASES_GRAINS 3
-
 typedef struct cases {
     const char *name;
     const char *program; /* the property test to repeat it with, if RIDGELINE_SEED does */
-    bool grain;          /* forgive the grain of ends */
-    int64_t grained;     /* scenes in which there was something to forgive */
     int every;           /* judge every so-manieth line only; 0: all */
     judge_report_t worst;
     int64_t run, facets;

@@ -274,8 +274,7 @@ static void test_families(void **state) {
     uint64_t first = FIRST, count = cases_scaled(300) * FAMILIES;
     int failed = 0;
     cases_t c[FAMILIES];
-    for (int f = 0; f < FAMILIES; f++)
-        c[f] = (cases_t){.name = families[f].name, .program = "test_extreme_random"};
+    for (int f = 0; f < FAMILIES; f++) c[f] = (cases_t){.name = families[f].name, .program = "test_extreme_random"};
     if (cases_only_seed(&first)) {
         count = 1;
     } else {
