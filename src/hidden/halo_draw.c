@@ -5,6 +5,7 @@
  * nearer edge again, to end where that ends (halo_strip). */
 #include "hidden/halo_meet.h"
 
+#include "hidden/heap_sort.h"
 #include "num/ints.h"
 
 #define ONE_Q30 (UINT32_C(1) << 30)
@@ -69,32 +70,23 @@ static gap_t gap_of(const halo_t *h, const halo_crossing_t *x, int32_t width) {
     return g;
 }
 
-/* Heapsort: edges behind thousands of others exist, and no input may make it slow. */
-static void sift(gap_t *gap, uint32_t at, uint32_t n) {
-    const gap_t g = gap[at];
-    for (uint32_t child; (child = 2 * at + 1) < n; at = child) {
-        if (child + 1 < n && gap[child + 1].from_q30 > gap[child].from_q30) child++;
-        if (gap[child].from_q30 <= g.from_q30) break;
-        gap[at] = gap[child];
-    }
-    gap[at] = g;
+static bool is_before(const gap_t *a, const gap_t *b) {
+    return a->from_q30 < b->from_q30;
 }
+
+HEAP_SORT(gap_t, is_before)
+
+/* Edges behind thousands of others exist, and no input may make it slow. */
 static void sort(gap_t *gap, uint32_t n) {
-    if (n <= FEW) {
-        for (uint32_t k = 1; k < n; k++) {
-            const gap_t g = gap[k];
-            uint32_t at = k;
-            for (; at > 0 && gap[at - 1].from_q30 > g.from_q30; at--) gap[at] = gap[at - 1];
-            gap[at] = g;
-        }
+    if (n > FEW) {
+        heap_sort(gap, (int32_t)n);
         return;
     }
-    for (uint32_t k = n / 2; k > 0; k--) sift(gap, k - 1, n);
-    while (n > 1) {
-        const gap_t last = gap[--n];
-        gap[n] = gap[0];
-        gap[0] = last;
-        sift(gap, 0, n);
+    for (uint32_t k = 1; k < n; k++) {
+        const gap_t g = gap[k];
+        uint32_t at = k;
+        for (; at > 0 && is_before(&g, &gap[at - 1]); at--) gap[at] = gap[at - 1];
+        gap[at] = g;
     }
 }
 
