@@ -195,8 +195,30 @@ static int memory(console_t *c) {
     return 0;
 }
 
+/* What typed solids take, as towers of cubes and lattices of struts do that fill a board (docs/BOARD.md). */
+#define CUBE_BYTES 1460
+#define STRUT_BYTES 110
+#define STRUTS_BYTES 600 /* and once for all of them */
+
+static void tell_room(const console_t *c) {
+    const int64_t bytes = (int64_t)(c->session.pool_size * sizeof *c->session.pool.base);
+    char line[96];
+    text_t t = text_start(line, sizeof line);
+    text_add(&t, "Room for a scene: ");
+    text_add_int(&t, bytes);
+    text_add(&t, " bytes, about ");
+    text_add_int(&t, bytes / CUBE_BYTES);
+    text_add(&t, " cubes");
+    if (CONFIG_HALO) {
+        text_add(&t, " or ");
+        text_add_int(&t, (bytes - STRUTS_BYTES) / STRUT_BYTES);
+        text_add(&t, " struts with haloes");
+    }
+    text_add(&t, "\n");
+    say(line);
+}
+
 static int help_board(console_t *c) {
-    (void)c;
     say("home               to the limit switches, which makes the place of the pen known\n"
         "unlock             the pen was put to its origin by hand\n"
         "pen up|down  motors on|off\n"
@@ -204,6 +226,7 @@ static int help_board(console_t *c) {
         "autorun on|off     draw it when the power comes on\n"
         "status  memory     as ?; how much of each memory was used\n"
         "At any time, first on a line:  ? status  ! hold  ~ resume  Ctrl-X stop\n");
+    tell_room(c);
     return 0;
 }
 

@@ -4,7 +4,6 @@
 #include "app/say.h"
 #include "error.h"
 #include "hal/hal.h"
-#include "hidden/halo.h"
 
 static void on_progress(void *ctx, enum picture_stage stage, int32_t done, int32_t of) {
     console_t *c = ctx;
@@ -27,7 +26,8 @@ static bool fits_machine(const settings_t *s) {
 }
 
 static int too_large(const console_t *c, const plot_t *plot) {
-    const hidden_stats_t *found = &c->picture.stats.hidden;
+    const picture_stats_t *stats = &c->picture.stats;
+    const hidden_stats_t *found = &stats->hidden;
     if (CONFIG_HALO && plot->settings->hidden == HIDDEN_HALO &&
         found->edges > 0) { /* both are counted to the end, if begun */
         say("The scene does not fit: ");
@@ -39,7 +39,9 @@ static int too_large(const console_t *c, const plot_t *plot) {
             say(" crossings");
         }
         say(" need at least ");
-        say_int((int64_t)HALO_BYTES(found->edges, found->crossings) + (int64_t)PATH_BYTES_MIN);
+        const size_t solids =
+            plot->kind == PLOT_SOLIDS ? stats->map_bytes : 0; /* of surfaces they can be done without */
+        say_int((int64_t)(stats->kernel_bytes + solids + PATH_BYTES_MIN));
     } else {
         say("The scene does not fit: it may need ");
         say_int((int64_t)picture_bytes_least(plot));

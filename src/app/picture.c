@@ -206,8 +206,7 @@ bool picture_is_safe(const plot_t *plot, size_t bytes) {
 
 size_t picture_bytes_least(const plot_t *plot) {
     const enum hidden_mode hidden = plot->settings->hidden;
-    const bool boxes = CONFIG_SOLIDS && plot->kind == PLOT_SOLIDS && hidden != HIDDEN_HORIZON &&
-                       hidden != HIDDEN_HALO && hidden != HIDDEN_AREA;
+    const bool boxes = CONFIG_SOLIDS && plot->kind == PLOT_SOLIDS && hidden != HIDDEN_HORIZON && hidden != HIDDEN_AREA;
     if (boxes) return picture_boxes_bytes(plot) + 2 * PATH_BYTES_MIN;
     bool turns = plot->kind == PLOT_SURFACES && plot->n == 1; /* half the horizons at a time */
     return hiding_bytes(plot, turns ? EACH_ROUGH / 2 : EACH_ROUGH, false) + 2 * PATH_BYTES_MIN;

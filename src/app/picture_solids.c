@@ -4,6 +4,7 @@
 #include "error.h"
 #include "hidden/area_tone.h"
 #include "hidden/convex.h"
+#include "hidden/halo.h"
 #include "hidden/once.h"
 #include "hidden/wires.h"
 #include "scene/surface_mesh.h"
@@ -57,7 +58,7 @@ static mesh_t sum_of(const plot_t *plot, const meshes_t *m) {
     return sum;
 }
 
-/* Convex bodies whose edges have two faces each, of which half look at the eye. */
+/* Convex bodies whose edges have two faces each, of which half look at the eye; with haloes, a crossing an edge. */
 size_t picture_boxes_bytes(const plot_t *plot) {
     meshes_t m;
     list_meshes(plot, &m);
@@ -66,7 +67,8 @@ size_t picture_boxes_bytes(const plot_t *plot) {
     const size_t edges = corners / 2 + (size_t)sum.segments;
     const size_t kept = nv * sizeof(solid_vertex_t) + corners * sizeof(int32_t) +
                         faces * (sizeof(solid_face_t) + sizeof(solid_object_t)) + edges * sizeof(solid_edge_t);
-    return kept + surfaces_bytes(plot) + SOLID_MAP_BYTES(sum.nv) + 60 * faces + 8 * corners + ONCE_BYTES(0);
+    const size_t hiding = plot->settings->hidden == HIDDEN_HALO ? HALO_BYTES(edges, edges) : 60 * faces + 8 * corners;
+    return kept + surfaces_bytes(plot) + SOLID_MAP_BYTES(sum.nv) + hiding + ONCE_BYTES(0);
 }
 
 size_t picture_solids_bytes(const plot_t *plot) {

@@ -17,7 +17,7 @@ size_t picture_halo_bytes(const plot_t *plot, int32_t crossings_each);
 bool picture_is_solid(const plot_t *plot);
 /* Bytes that putting solids together and hiding their lines takes, but for freakish scenes. */
 size_t picture_solids_bytes(const plot_t *plot);
-/* Bytes that the convex kernel takes for a scene of boxes of that size, and so what it takes at least. */
+/* Bytes that the kernel takes for a scene of boxes of that size, and so about what it takes at least. */
 size_t picture_boxes_bytes(const plot_t *plot);
 #if CONFIG_AREA
 /* Does `set hatch` count for it? */

@@ -39,6 +39,7 @@
 #define HALO_CONTACT_MAX (1 << 16)
 #define HALO_WIDTH_MAX (INT32_C(1) << 24)
 #define HALO_BYTES_PER_EDGE 56 /* at most, and 512 in all */
+#define HALO_BYTES_PER_EDGE_LEAST 40
 #define HALO_BYTES_PER_CROSSING 16
 #define HALO_BYTES(edges, crossings) (512 + HALO_BYTES_PER_EDGE * (size_t)(edges) + 16 * (size_t)(crossings))
 
@@ -84,7 +85,7 @@ typedef struct halo {
     void (*tick)(void *ctx, int32_t done, int32_t of); /* now and then while CUT and DRAW work; NULL after halo_init */
     void *tick_ctx;
     int64_t tests; /* pairs of edges whose crossing was computed */
-    size_t used;   /* bytes */
+    size_t used;   /* bytes; after a halo_cut that found no room for its crossings, those that it needs */
 } halo_t;
 
 /* Prepares h in mem (any alignment). */

@@ -170,8 +170,8 @@ int halo_cut(halo_t *h, int32_t reach) {
         h->tests = 0;
     }
     look_all(&g, h);
-    if (h->crossings > h->room) return ERR_FULL;
     h->used = before + (size_t)h->crossings * sizeof *h->crossing;
+    if (h->crossings > h->room) return ERR_FULL;
     group(h);
     sort_few(h);
     return 0;

@@ -143,7 +143,7 @@ int halo_ink_draw(const halo_source_t *source, int32_t width, bool ends, const h
     if (err == 0) err = halo_cut(&h, ends ? width : 0);
     stats->tests = h.tests;
     stats->crossings = err == 0 || h.crossings > 0 ? h.crossings : 0;
-    stats->bytes = h.used;
+    stats->bytes = err == 0 || h.crossings > 0 ? h.used : HALO_BYTES_PER_EDGE_LEAST * (size_t)stats->edges;
     if (err != 0) return err;
     d.edge = -1;
     err = halo_draw(&h, width, &(halo_sink_t){&d, take});

@@ -24,7 +24,8 @@ typedef struct halo_source {
 
 /* Draws all edges into job->sink, with haloes of `width` lat to either side; ends: see halo_cut. Returns 0, the sink's
  * error, or ERR_FULL when job's memory does not suffice: before the first piece, and stats->edges and stats->crossings
- * then say what there is: HALO_BYTES of them would suffice. */
+ * then say what there is, and stats->bytes what it takes at least; exactly, unless not even the edges fitted and
+ * stats->crossings is 0. */
 int halo_ink_draw(const halo_source_t *source, int32_t width, bool ends, const hidden_job_t *job,
                   hidden_stats_t *stats);
 

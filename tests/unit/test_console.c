@@ -261,6 +261,8 @@ static void test_pen_and_motors(void **state) {
     HEARD("unknown command");
     fix_say("help board\rhelp\r", SECOND);
     HEARD("autorun on|off");
+    HEARD("Room for a scene: ");
+    HEARD("struts with haloes");
     HEARD("replot");
 }
 
