@@ -1,7 +1,8 @@
 /* bench_solids - solids from meshes in memory to visible ink, counted and dropped: CPU time.
  *
  *     bench_solids K...    k x k unit cubes, pitch 1.5, 25 degrees above the ground (the scene of Franklin & Akman's
- *                          figure 4), then a torus and a ball of some 5,800 triangles, closed and not taken as convex
+ *                          figure 4), then a torus and a ball of some 5,800 triangles, closed and not taken as
+ *                          convex; knots of 5,760 triangles and more; thousands of concave prisms
  *
  * build: meshes become vertices, edges, objects (solid_build); map: the view (camera, solid_map_setup); hide: the
  * kernel, once: what coincides is drawn once. The least of several runs. Growth: the exponent of the time over the
@@ -33,6 +34,7 @@ static int drop(void *ctx, const ink_piece_t *p) {
 }
 
 static double before_ms, before_edges;
+static const char *before_name = "";
 
 static int bench(const char *name, int k, solid_ref_t *body) {
     mesh_t made;
@@ -77,13 +79,13 @@ static int bench(const char *name, int k, solid_ref_t *body) {
         printf(
             "solids %-6s %5d  faces %6d  edges %7.0f  build %7.3f  map %6.3f  once %6.3f  hide %7.3f  total %7.3f ms",
             name, k, (int)mesh->faces, edges, best[0], best[1], best[2], best[3], total);
-        if (strcmp(name, "cubes") == 0 && before_edges > 0)
-            printf("  growth %.2f", log(total / before_ms) / log(edges / before_edges));
+        if (strcmp(name, before_name) == 0) printf("  growth %.2f", log(total / before_ms) / log(edges / before_edges));
         printf("  pairs %lld  pieces %lld  bytes %zu + %zu\n", (long long)stats.tests, (long long)stats.pieces,
                solid.bytes, stats.bytes);
     }
     before_ms = total;
     before_edges = edges;
+    before_name = name;
     free(mem);
     free(place);
     free(kernel);
@@ -103,6 +105,14 @@ int main(int argc, char **argv) {
     if (!err) err = bench("torus", TRIANGLE_ROWS, &body);
     solid_body_round(&body, TRIANGLE_ROWS, 0);
     if (!err) err = bench("ball", TRIANGLE_ROWS, &body);
+    for (int k = 1; k <= 4 && !err; k *= 2) {
+        solid_body_knot(&body, 240 * k, 12 * k);
+        err = bench("knot", 240 * k, &body);
+    }
+    for (int k = 30; k <= 120 && !err; k *= 2) {
+        solid_body_angles(&body, k);
+        err = bench("angles", k, &body);
+    }
     if (err) fprintf(stderr, "bench_solids: error %d\n", err);
     return err != 0;
 }

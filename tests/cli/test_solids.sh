@@ -1,6 +1,7 @@
 #!/bin/sh
 # Solids from outside: files of three formats, moved, among surfaces, with mistakes.
 . tests/cli/lib.sh
+case ${BUILDDIR:=build} in /*) ;; *) BUILDDIR=$root/$BUILDDIR ;; esac
 
 ink() { awk 'NR > 1 { s += sqrt(($1-$3)^2 + ($2-$4)^2) } END { printf "%.3f\n", s }' "$1"; }
 # near A B: equal to 0.05 mm
@@ -127,5 +128,35 @@ an_outline_is_closed() {
     done
 }
 
+# One body in a knot of 5,760 triangles, 2,500 angles of concave faces, a field of 576 cogwheels (21,888 faces, of which the largest have
+# 36 corners): held against rays at random places, in both kinds of views.
+thousands_of_concave_parts() {
+    awk 'BEGIN { n = 240; m = 12; for (i = 0; i < n; i++) { t = 6.28318530718 * i / n; r = 2 + cos(3 * t); w = r * cos(2 * t)
+             for (j = 0; j < m; j++) { u = 6.28318530718 * j / m; o = .4 * cos(u)
+                 printf "v %.7f %.7f %.7f\n", (r + o) * cos(2 * t), (r + o) * sin(2 * t), -sin(3 * t) + .4 * sin(u) } }
+             for (i = 0; i < n; i++) for (j = 0; j < m; j++) { a = i * m + j + 1; d = i * m + (j + 1) % m + 1
+                 b = (i + 1) % n * m + j + 1; c = (i + 1) % n * m + (j + 1) % m + 1; print "f", a, b, c "\nf", a, c, d } }' >knot.obj
+    awk 'BEGIN { split("0 0 2 0 2 .7 .7 .7 .7 2 0 2", p, " "); for (k = 0; k < 2500; k++) { t = .3 * k
+             for (h = 0; h < 2; h++) for (i = 1; i < 12; i += 2)
+                 printf "v %.6f %.6f %d\n", 3 * (k % 50) + p[i] * cos(t) - p[i + 1] * sin(t), 3 * int(k / 50) + p[i] * sin(t) + p[i + 1] * cos(t), h
+             print "f -7 -8 -9 -10 -11 -12\nf -6 -5 -4 -3 -2 -1"; for (i = 0; i < 6; i++) print "f", i - 12, (i + 1) % 6 - 12, (i + 1) % 6 - 6, i - 6 } }' >angles.obj
+    awk 'BEGIN { n = 36; for (k = 0; k < 576; k++) { for (h = 0; h < 2; h++) for (i = 0; i < n; i++) { r = i % 4 < 2 ? 1 : .75
+             printf "v %.6f %.6f %.2f\n", 2.2 * (k % 24) + r * cos(6.28318530718 * i / n), 2.2 * int(k / 24) + r * sin(6.28318530718 * i / n), .3 * (k % 5) + .4 * h }
+             s = "f"; for (i = n; i > 0; i--) s = s " " i - 1 - 2 * n; print s; s = "f"; for (i = 0; i < n; i++) s = s " " i - n; print s
+             for (i = 0; i < n; i++) print "f", i - 2 * n, (i + 1) % n - 2 * n, (i + 1) % n - n, i - n } }' >cogs.obj
+    for body in knot angles cogs; do
+        for view in 55,30 'from 150,-90,70'; do
+            [ "$body$view" = 'knotfrom 150,-90,70' ] && view='from 5,-4,3'
+            printf "set view $view\nsplot '$body.obj'\n" >a.gp
+            ridgeline plot a.gp -o a.seg
+            "$BUILDDIR/tools/judge_solid" a.seg $body.obj >report || { cat report; return 1; }
+            awk -v what="$body, view $view" '{ v[$1] = $2 } END { print "# " what ": " v["faces"] " faces, " v["segments"] \
+                " segments; of " v["places"] " places on edges " v["judged"] " judged, " v["missing"] " missing, " v["false"] " of as many on segments false"
+                exit v["judged"] < .9 * v["places"] || v["visible"] < .2 * v["places"] }' report
+        done
+    done
+}
+
 run_tests a_surface_of_facets_is_the_surface formats_are_the_same_body a_binary_stl_is_read what_is_wrong_is_said \
-    rows_as_they_are_typed hidden_parts_are_dashed what_falls_together_is_drawn_once an_outline_is_closed
+    rows_as_they_are_typed hidden_parts_are_dashed what_falls_together_is_drawn_once an_outline_is_closed \
+    thousands_of_concave_parts

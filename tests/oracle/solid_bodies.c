@@ -62,6 +62,48 @@ void solid_body_woven(solid_ref_t *r, int n) {
     }
 }
 
+/* Rings of m around n places, and rings closed. */
+static void tube(solid_ref_t *r, const int *v, int n, int m) {
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < m; i++) {
+            int p = v[j * m + i], q = v[(j + 1) % n * m + i], s = v[(j + 1) % n * m + (i + 1) % m],
+                t = v[j * m + (i + 1) % m];
+            solid_ref_face(r, (int[]){p, q, s}, 3);
+            solid_ref_face(r, (int[]){p, s, t}, 3);
+        }
+}
+
+void solid_body_knot(solid_ref_t *r, int n, int m) {
+    int *v = malloc((size_t)(n * m) * sizeof *v);
+    if (!v) abort();
+    for (int k = 0; k < n * m; k++) {
+        const double t = 6.283185307179586 * (k / m) / n, u = 6.283185307179586 * (k % m) / m;
+        const double far = 2 + cos(3 * t) + 0.4 * cos(u);
+        v[k] = solid_ref_vertex(r, far * cos(2 * t), far * sin(2 * t), 0.4 * sin(u) - sin(3 * t));
+    }
+    tube(r, v, n, m);
+    free(v);
+}
+
+void solid_body_angles(solid_ref_t *r, int k) {
+    static const double at[6][2] = {{0, 0}, {2, 0}, {2, .7}, {.7, .7}, {.7, 2}, {0, 2}};
+    for (int n = 0; n < k * k; n++) {
+        int v[12], w[6];
+        for (int c = 0; c < 12; c++) {
+            const double t = 0.3 * n, x = at[c % 6][0], y = at[c % 6][1];
+            v[c] = solid_ref_vertex(r, 3 * (n % k) + x * cos(t) - y * sin(t), 3 * (n / k) + x * sin(t) + y * cos(t),
+                                    c / 6);
+        }
+        for (int c = 0; c < 6; c++) w[c] = v[5 - c];
+        solid_ref_face(r, w, 6);
+        solid_ref_face(r, v + 6, 6);
+        for (int c = 0; c < 6; c++) {
+            const int d = (c + 1) % 6;
+            solid_ref_face(r, (int[]){v[c], v[d], v[6 + d], v[6 + c]}, 4);
+        }
+    }
+}
+
 static void start(solid_scene_t *s) {
     *s = (solid_scene_t){0};
     settings_default(&s->set);

@@ -35,6 +35,9 @@ void solid_body_round(solid_ref_t *r, int n, double hole);
 void solid_body_covered(solid_ref_t *r, int n);
 void solid_body_shingles(solid_ref_t *r, int n);
 void solid_body_woven(solid_ref_t *r, int n);
+/* A tube of n x m quadrilaterals of two triangles in a trefoil knot; k x k prisms over an L, 3 apart. */
+void solid_body_knot(solid_ref_t *r, int n, int m);
+void solid_body_angles(solid_ref_t *r, int k);
 void solid_scene_free(solid_scene_t *s);
 /* Its faces and lines as the program has them. */
 void solid_scene_mesh(const solid_ref_t *r, mesh_t *m);
