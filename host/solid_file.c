@@ -14,7 +14,8 @@ typedef struct text {
     const char *name;
     char *bytes;
     size_t n, at;
-    int line;
+    int line;              /* 0: of bytes */
+    size_t begin, word_at; /* where the line begins, and the word at hand */
     FILE *out;
 } text_t;
 
@@ -30,9 +31,9 @@ bool solid_file_is(const char *name) {
 static bool complain(const text_t *t, const char *what) {
     progress_wipe();
     if (t->line)
-        fprintf(stderr, "ridgeline: %s: line %d: %s\n", t->name, t->line, what);
+        fprintf(stderr, "\"%s\", line %d, column %zu: %s\n", t->name, t->line, t->word_at - t->begin + 1, what);
     else
-        fprintf(stderr, "ridgeline: %s: %s\n", t->name, what);
+        fprintf(stderr, "\"%s\": %s\n", t->name, what);
     return false;
 }
 
@@ -42,20 +43,25 @@ static bool word(text_t *t, char out[64], bool comments) {
         char c = t->bytes[t->at];
         if (comments && c == '#')
             while (t->at < t->n && t->bytes[t->at] != '\n') t->at++;
-        if (t->at < t->n && t->bytes[t->at] == '\n') t->line++;
+        if (t->at < t->n && t->bytes[t->at] == '\n') t->line++, t->begin = t->at + 1;
         if (t->at == t->n || !isspace((unsigned char)t->bytes[t->at])) break;
     }
+    t->word_at = t->at;
     size_t k = 0;
     while (t->at < t->n && !isspace((unsigned char)t->bytes[t->at]) && k < 63) out[k++] = t->bytes[t->at++];
     out[k] = 0;
     return k > 0;
 }
 
+static void rest_of_line(text_t *t) {
+    while (t->at < t->n && t->bytes[t->at] != '\n') t->at++;
+}
+
 static bool number(text_t *t, char out[64]) {
     char *end;
     if (!word(t, out, true)) return complain(t, "the file ends where a number should be");
-    double v = strtod(out, &end);
-    if (*end || !isfinite(v)) return complain(t, "not a number");
+    const double v = strtod(out, &end);
+    if (*end || !isfinite(v) || out[strspn(out, "+-.0123456789eE")]) return complain(t, "not a number");
     return true;
 }
 
@@ -73,7 +79,7 @@ static bool stl_text(text_t *t) {
     long triangles = 0;
     while (word(t, w, false)) {
         if (strcasecmp(w, "solid") == 0 || strcasecmp(w, "endsolid") == 0) {
-            while (t->at < t->n && t->bytes[t->at] != '\n') t->at++; /* a name of any words */
+            rest_of_line(t); /* a name of any words */
         } else if (strcasecmp(w, "vertex") == 0) {
             if (!vertex(t)) return false;
             corners++;
@@ -125,12 +131,16 @@ static bool stl_binary(text_t *t) {
     return true;
 }
 
-/* OFF; counts of vertices, faces, edges; vertices; faces as n a b c ..., counted from 0, with colours behind them. */
+/* OFF, or with texture places, colours or normals behind each vertex STOFF, COFF, NOFF, CNOFF; counts of vertices,
+ * faces, edges; vertices; faces as n a b c ..., counted from 0, with colours behind them. */
 static bool off(text_t *t) {
     char w[64];
     if (!word(t, w, true)) return complain(t, "no data");
-    const bool headed = strcmp(w, "OFF") == 0;
-    if (!headed && !isdigit((unsigned char)w[0])) return complain(t, "only plain OFF is read");
+    const char *kind = w + (strncmp(w, "ST", 2) == 0 ? 2 : 0);
+    if (*kind == 'C') kind++;
+    if (*kind == 'N') kind++;
+    const bool headed = strcmp(kind, "OFF") == 0;
+    if (!headed && !isdigit((unsigned char)w[0])) return complain(t, "not OFF of three dimensions, as text");
     long count[3];
     for (int k = 0; k < 3; k++) {
         char *end;
@@ -138,8 +148,10 @@ static bool off(text_t *t) {
         count[k] = strtol(w, &end, 10);
         if (*end || count[k] < 0 || count[k] > INT32_MAX / 4) return complain(t, "not a count");
     }
-    for (long k = 0; k < count[0]; k++)
+    for (long k = 0; k < count[0]; k++) {
         if (!vertex(t)) return false;
+        if (headed && kind > w) rest_of_line(t);
+    }
     for (long k = 0; k < count[1]; k++) {
         char *end;
         if (!word(t, w, true)) return complain(t, "the file ends before its last face");
@@ -153,7 +165,7 @@ static bool off(text_t *t) {
             if (n >= 3) fprintf(t->out, " %ld", v + 1);
         }
         if (n >= 3) fputc('\n', t->out);
-        while (t->at < t->n && t->bytes[t->at] != '\n') t->at++; /* colours */
+        rest_of_line(t); /* colours */
     }
     return true;
 }
@@ -183,6 +195,7 @@ static bool convert(text_t *t) {
     while (at < t->n && isspace((unsigned char)t->bytes[at])) at++;
     if (t->n - at >= 5 && strncasecmp(t->bytes + at, "solid", 5) == 0) return stl_text(t);
     t->line = 0;
+    if (t->n == 0) return complain(t, "the file is empty");
     return complain(t, "neither a text STL nor a binary one of its length");
 }
 

@@ -14,6 +14,14 @@ static void put(out_t *o, const char *text, size_t len) {
     *o->at = 0;
 }
 
+/* What came from outside: a ? for each control character. */
+static void put_shown(out_t *o, const char *text, size_t len) {
+    char *at = o->at;
+    put(o, text, len);
+    for (; at < o->at; at++)
+        if (((unsigned char)*at < ' ' && *at != '\t') || *at == 0x7f) *at = '?';
+}
+
 static void put_text(out_t *o, const char *text) {
     put(o, text, strlen(text));
 }
@@ -48,7 +56,7 @@ int lang_error_set_name(lang_error_t *err, int code, int32_t column, const char 
     out_t o = message_of(err);
     o.at += strlen(err->message);
     put_text(&o, ": ");
-    put(&o, name, len);
+    put_shown(&o, name, len);
     return code;
 }
 
@@ -73,7 +81,7 @@ size_t lang_error_picture(const lang_error_t *err, const char *text, size_t len,
         size_t width = (size - below) / 2 - 1;
         size_t from = column < width ? 0 : column - width + 1;
         size_t shown = len - from < width ? len - from : width;
-        put(&o, text + from, shown);
+        put_shown(&o, text + from, shown);
         put_text(&o, "\n");
         for (size_t i = from; i < column; i++) {
             /* Tabs stay tabs, and the later bytes of a UTF-8 character take no room: so the caret stands below its

@@ -21,12 +21,15 @@ static num_t compute(void *ctx, int32_t part) {
 
 /* What is not supported in a file of solids. */
 static void notice(void *ctx, int32_t line, const char *text, int32_t len) {
-    char where[40];
+    session_t *s = ctx;
+    char where[40 + CONFIG_NAME_MAX];
     text_t t = text_start(where, sizeof where);
     text_add(&t, "line ");
     text_add_int(&t, line);
-    text_add(&t, " of the data: ");
-    session_warn(ctx, where, text, (size_t)len, " is not supported, and left out");
+    text_add(&t, " of ");
+    text_add(&t, s->plot.obj.inline_data ? "the data" : s->frame_name[0]);
+    text_add(&t, ": ");
+    session_warn(s, where, text, (size_t)len, " is not supported, and left out");
 }
 
 static int start_solid(session_t *s, session_source_t *src, bool inline_data, int32_t first_line) {

@@ -14,6 +14,13 @@ void text_add_bytes(text_t *t, const char *s, size_t n) {
     t->buf[t->len] = '\0';
 }
 
+void text_add_shown(text_t *t, const char *s, size_t n) {
+    size_t from = t->len;
+    text_add_bytes(t, s, n);
+    for (; from < t->len; from++)
+        if ((unsigned char)t->buf[from] < ' ' || t->buf[from] == 0x7f) t->buf[from] = '?';
+}
+
 void text_add(text_t *t, const char *s) {
     text_add_bytes(t, s, strlen(s));
 }

@@ -12,6 +12,8 @@ typedef struct text {
 text_t text_start(char *buf, size_t size); /* size >= 1 */
 void text_add(text_t *t, const char *s);
 void text_add_bytes(text_t *t, const char *s, size_t n);
+/* What came from outside: a ? for each control character. */
+void text_add_shown(text_t *t, const char *s, size_t n);
 void text_add_int(text_t *t, int64_t v);
 /* As `print` shows a real, but integers without ".0". */
 void text_add_num(text_t *t, num_t v);

@@ -157,7 +157,7 @@ static int end_word(obj_reader_t *r) {
 static int end_element(obj_reader_t *r) {
     mesh_t *m = &r->mesh;
     int32_t count = r->words - 1;
-    r->token_at = 0;
+    r->token_at = r->at; /* what is missing is missing there */
     if (r->what == 'e' && r->words == 1) r->stopped = true;
     if (r->what == 'v' && count < 3) return refuse(r, DATA_SHORT);
     if (r->what == 'f') {

@@ -29,11 +29,15 @@ formats_are_the_same_body() {
     awk '/^v/ { x[++n] = $2 " " $3 " " $4 }
          /^f/ { for (k = 3; k < 5; k++) print " facet normal 0 0 0\n outer loop\n vertex " x[$2] "\n vertex " x[$k] "\n vertex " \
                     x[$(k+1)] "\n endloop\n endfacet" }' a.obj | { echo solid s; cat; echo endsolid s; } >a.stl
+    awk 'BEGIN { print "COFF\n8 6 12" } /^v/ { print $2, $3, $4, "255 0 0 255" } /^f/ { print 4, $2-1, $3-1, $4-1, $5-1 }' a.obj >c.off
     awk 'BEGIN { print "OFF # a cube\n8 6 12" } /^v/ { print $2, $3, $4 } /^f/ { print 4, $2-1, $3-1, $4-1, $5-1, "1 0 0" }' a.obj >a.off
     for f in obj stl off; do
         echo "splot 'a.$f' rotate 10,20,30 translate 1,2,3 scale 2" >a.gp
         ridgeline plot a.gp -o $f.seg
     done
+    sed -i 's/a.off/c.off/' a.gp
+    ridgeline plot a.gp -o c.seg
+    cmp off.seg c.seg
     near "$(ink obj.seg)" "$(ink off.seg)"
     near "$(ink obj.seg)" "$(ink stl.seg)" # its diagonals are no edges
     [ "$(sed 1d obj.seg | wc -l)" -ge 9 ]
@@ -56,15 +60,21 @@ what_is_wrong_is_said() {
     printf 'solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 z\n' >a.stl
     echo 'splot "a.stl"' >a.gp
     expect_status 2 ridgeline plot a.gp -o a.svg 2>err
-    expect_text err 'a.stl: line 4: not a number'
+    expect_text err '"a.stl", line 4, column 12: not a number'
     printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n' >a.off
     echo 'splot "a.off"' >a.gp
     expect_status 2 ridgeline plot a.gp -o a.svg 2>err
-    expect_text err 'a.off: line 6: there is no vertex of this number'
+    expect_text err '"a.off", line 6, column 7: there is no vertex of this number'
     printf 'v 0 0 0\nv 1 0 0\nf 1 2 7\n' >a.obj
     echo 'splot "a.obj"' >a.gp
     expect_status 2 ridgeline plot a.gp -o a.svg 2>err
     expect_text err 'line 3, column 7: there is no vertex of this number'
+    printf 'v 0 0 0\nv 1 0 0\nf 1 2\n' >a.obj
+    expect_status 2 ridgeline plot a.gp -o a.svg 2>err
+    expect_text err 'line 3, column 6: this line lacks a number'
+    printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\033[2Jx\n' >a.obj
+    ridgeline plot a.gp -o b.svg 2>err
+    expect_text err 'line 5 of a.obj: ?[2Jx is not supported'
     for bad in 'splot x*y translate 1,2,3' 'splot "a.obj" translate 1,2' 'splot "a.obj" scale 0' 'splot "a.obj" crease 90' \
         'plot "a.obj"' 'splot "a.obj" matrix solid'; do
         echo "$bad" >b.gp
@@ -75,7 +85,7 @@ what_is_wrong_is_said() {
     { cube; printf 'p 1\nusemtl red\np 2\n'; } >a.obj
     ridgeline plot a.gp -o a.seg 2>err
     [ "$(wc -l <err)" -eq 1 ]
-    expect_text err 'line 16 of the data: p is not supported'
+    expect_text err 'line 16 of a.obj: p is not supported'
 }
 
 rows_as_they_are_typed() {
