@@ -347,8 +347,8 @@ static void terrains_are_meshes(void **state) {
         const char *text;
         int code, line, column;
     } bad[] = {
-        {"v 1 2\n", ERR_DATA, 1, 0},          {"v 1 2 z\n", ERR_DATA, 1, 7},
-        {"v 0 0 0\nf 1 2 3", ERR_DATA, 2, 5}, {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n", ERR_DATA, 4, 0},
+        {"v 1 2\n", ERR_DATA, 1, 6},          {"v 1 2 z\n", ERR_DATA, 1, 7},
+        {"v 0 0 0\nf 1 2 3", ERR_DATA, 2, 5}, {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n", ERR_DATA, 4, 6},
         {"v 0 0 0\nf x", ERR_DATA, 2, 3},     {"v 0 0 0\n", ERR_EMPTY, 1, 7},
         {"v 0 0 nan\n", ERR_DATA, 1, 7},
     };
