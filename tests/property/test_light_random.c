@@ -180,8 +180,10 @@ static bool lit_says(const lit_scene_t *c, int32_t f, int l, const double at[2])
     return winding != 0;
 }
 
+#define GRAZE_Q30 (INK_ONE / 2000) /* of what falls in more flatly rounding decides how far it goes */
+
 /* Lights that reach p, a bit each; -1 if that changes when it moves by `margin` along the face. */
-static int reached(const lit_scene_t *c, int32_t f, vec_t p, double margin) {
+static int reached(const lit_scene_t *c, int32_t f, vec_t p, double margin, int64_t least_q30) {
     const solid_t *s = &c->t.solid;
     vec_t n = normal(s, f), u = unit(sub(corner(s, f, 1), corner(s, f, 0))), w = cross(n, u);
     int all = -1;
@@ -189,7 +191,7 @@ static int reached(const lit_scene_t *c, int32_t f, vec_t p, double margin) {
         vec_t q = k < 8 ? add_scaled(add_scaled(p, u, margin * cos(k * .785398)), w, margin * sin(k * .785398)) : p;
         int mask = 0;
         for (int l = 0; l < c->lights; l++)
-            if (light_slope(&c->light[l], &c->t.map, f) > 0 && !is_dark(c, f, q, l)) mask |= 1 << l;
+            if (light_slope(&c->light[l], &c->t.map, f) > least_q30 && !is_dark(c, f, q, l)) mask |= 1 << l;
         if (!is_inside(s, f, q) || (all >= 0 && mask != all)) return -1;
         all = mask;
     }
@@ -220,6 +222,20 @@ static int no_ink(void *ctx, const ink_piece_t *p) {
     return 0;
 }
 
+/* A direction near d in the plane of a face, or out of it by ever so little. */
+static vec_t grazing(const solid_t *s, vec_t d) {
+    static const double by[] = {0, 1e-9, 1e-6, 1e-4, 1e-3, 1e-2};
+    const vec_t n = normal(s, (int32_t)(random_unit() * s->nf));
+    if (!(dot(n, n) > .5)) return d; /* a face without an area */
+    return unit(add_scaled(unit(add_scaled(d, n, -dot(d, n))), n, by[(int)(random_unit() * 6)]));
+}
+
+/* The direction to the eye: of parallel ones nothing that is seen is in the shadow then. */
+static vec_t at_eye(const lit_scene_t *c, vec_t d, vec_t middle) {
+    const vec_t to = to_eye(c, middle);
+    return dot(to, to) > .5 ? to : d;
+}
+
 static void choose_lights(lit_scene_t *c, uint64_t seed) {
     const solid_t *s = &c->t.solid;
     vec_t middle = {0, 0, 0};
@@ -233,6 +249,8 @@ static void choose_lights(lit_scene_t *c, uint64_t seed) {
         vec_t d = unit((vec_t){random_unit() - .5, random_unit() - .5, random_unit() - .5});
         if (seed % 16 == 0 && l == 0) d = (vec_t){0, 0, 1};
         if (seed % 16 == 1 && l == 0) d = (vec_t){1, 0, 0};
+        if (seed % 4 == 3) d = grazing(s, d);
+        if (seed % 16 == 5 && l == 0) d = at_eye(c, d, middle);
         c->light[l].point = random_unit() < .4;
         if (c->light[l].point) d = add_scaled(middle, d, c->size * (1.2 + 4 * random_unit()));
         c->lamp[l] = d;
@@ -279,15 +297,17 @@ static void check_change(const lit_scene_t *c, int32_t f, vec_t p, vec_t q, int 
                          tally_t *n) {
     for (int k = 0; k < 40 && dot(sub(p, q), sub(p, q)) > 16 * margin * margin; k++) {
         vec_t m = add_scaled(p, sub(q, p), .5);
-        int at_m = reached(c, f, m, margin / 64);
-        if (at_m < 0) m = add_scaled(p, sub(q, p), .45), at_m = reached(c, f, m, margin / 64);
+        int at_m = reached(c, f, m, margin / 64, GRAZE_Q30);
+        if (at_m < 0) m = add_scaled(p, sub(q, p), .45), at_m = reached(c, f, m, margin / 64, GRAZE_Q30);
         if (at_m < 0) break;
         if (at_m == at_p)
             p = m;
         else
             q = m, at_q = at_m;
     }
-    if (at_p == at_q || reached(c, f, p, margin / 64) != at_p || reached(c, f, q, margin / 64) != at_q) return;
+    if (at_p == at_q || reached(c, f, p, margin / 64, GRAZE_Q30) != at_p ||
+        reached(c, f, q, margin / 64, GRAZE_Q30) != at_q)
+        return;
     if (dot(sub(p, q), sub(p, q)) > 64 * margin * margin) return;
     for (int k = 0; k <= 8; k++) {
         vec_t m = add_scaled(p, sub(q, p), k / 8.);
@@ -315,7 +335,7 @@ static void check_places(const lit_scene_t *c, tally_t *n) {
         int at_last = -1;
         for (int k = 0; k < 24; k++) {
             vec_t p = random_on(s, f);
-            int mask = is_inside(s, f, p) ? reached(c, f, p, margin) : -1;
+            int mask = is_inside(s, f, p) ? reached(c, f, p, margin, GRAZE_Q30) : -1;
             if (mask < 0 || before_eye(c, p) <= margin || is_touched(c, f, p, 2 * margin)) continue;
             double at[2];
             project(c, p, at);
@@ -326,7 +346,7 @@ static void check_places(const lit_scene_t *c, tally_t *n) {
             }
             n->places++;
             for (int l = 0; l < c->lights; l++) {
-                if (light_slope(&c->light[l], &c->t.map, f) <= INK_ONE / 50) continue; /* at a graze rounding decides */
+                if (light_slope(&c->light[l], &c->t.map, f) <= GRAZE_Q30) continue;
                 n->places_wrong += lit_says(c, f, l, at) != (mask >> l & 1);
             }
             if (at_last >= 0 && mask != at_last) check_change(c, f, last, p, at_last, mask, margin, n);
@@ -336,18 +356,37 @@ static void check_places(const lit_scene_t *c, tally_t *n) {
     }
 }
 
-/* The lights that reach what the eye sees at a place of a parallel view; -1 if none is sure. */
-static int reached_at(const lit_scene_t *c, const double page[2], double margin, double near, int32_t *face) {
+static vec_t row(const camera_t *cam, int r) {
+    return (vec_t){num_value(cam->m[r][0]), num_value(cam->m[r][1]), num_value(cam->m[r][2])};
+}
+
+/* Some point of the line of sight through a place of the page, which is where the planes meet that show as the line
+ * across and the line upright through it. */
+static vec_t sighted(const lit_scene_t *c, const double page[2]) {
     const camera_t *cam = &c->t.cam;
-    double at[2];
-    for (int i = 0; i < 2; i++) at[i] = ldexp(page[i], -c->lit.eye_lattice.bits) - num_value(cam->m[i][3]);
-    vec_t r0 = {num_value(cam->m[0][0]), num_value(cam->m[0][1]), num_value(cam->m[0][2])};
-    vec_t r1 = {num_value(cam->m[1][0]), num_value(cam->m[1][1]), num_value(cam->m[1][2])};
-    double g00 = dot(r0, r0), g01 = dot(r0, r1), g11 = dot(r1, r1), det = g00 * g11 - g01 * g01;
-    double u = (at[0] * g11 - at[1] * g01) / det, w = (at[1] * g00 - at[0] * g01) / det;
-    vec_t p = add_scaled(add_scaled((vec_t){0, 0, 0}, r0, u), r1, w), q = p;
+    vec_t n[2];
+    double d[2];
+    for (int r = 0; r < 2; r++) {
+        const double at = ldexp(page[r], -c->lit.eye_lattice.bits);
+        n[r] = add_scaled(row(cam, r), row(cam, 2), -at);
+        d[r] = at * num_value(cam->m[2][3]) - num_value(cam->m[r][3]);
+    }
+    if (cam->perspective) {
+        const vec_t eye = {num_value(cam->eye[0]), num_value(cam->eye[1]), num_value(cam->eye[2])};
+        const vec_t along = unit(cross(n[0], n[1]));
+        return add_scaled(eye, along, dot(along, row(cam, 2)) > 0 ? c->size : -c->size);
+    }
+    const double g00 = dot(n[0], n[0]), g01 = dot(n[0], n[1]), g11 = dot(n[1], n[1]), det = g00 * g11 - g01 * g01;
+    const double u = (d[0] * g11 - d[1] * g01) / det, w = (d[1] * g00 - d[0] * g01) / det;
+    return add_scaled(add_scaled((vec_t){0, 0, 0}, n[0], u), n[1], w);
+}
+
+/* The lights that reach what the eye sees at a place of the page; -1 if none is sure. */
+static int reached_at(const lit_scene_t *c, const double page[2], double margin, double near, int32_t *face) {
+    const vec_t p = sighted(c, page);
+    vec_t q = p;
     *face = seen(c, p, to_eye(c, p), &q);
-    return *face < 0 || is_touched(c, *face, q, margin) ? -1 : reached(c, *face, q, near);
+    return *face < 0 || is_touched(c, *face, q, margin) ? -1 : reached(c, *face, q, near, 0);
 }
 
 /* To both sides of a border other lights reach the face: close to it if not farther off, since the shadow of a needle
@@ -355,7 +394,6 @@ static int reached_at(const lit_scene_t *c, const double page[2], double margin,
 static void check_borders(const lit_scene_t *c, tally_t *n) {
     const double margin = 1e-3 * c->size;
     const double most = ldexp(LAT_PER_MM, c->lit.eye_lattice.bits) * .02;
-    if (c->t.cam.perspective) return; /* the way back from the page is worked out for parallel views only */
     for (int32_t k = 0; k < c->borders.n; k++) {
         const border_t *b = &c->borders.list[k];
         double dx = (double)b->end[1].x - b->end[0].x, dy = (double)b->end[1].y - b->end[0].y, l = hypot(dx, dy);
