@@ -143,15 +143,14 @@ static bool is_before(const area_face_t *a, const area_face_t *b) {
 
 HEAP_SORT(area_face_t, is_before)
 
-/* An eye with everything in front of it is outside of all closed objects, and sees their outer sides only. */
-static bool is_turned_away(const solid_map_t *m, int32_t face) {
-    const solid_t *s = m->solid;
-    return s->object[s->face[face].object].kind != SOLID_OPEN && !m->any_behind && !area_looks_at_eye(m, face);
+bool area_is_turned_away(const solid_map_t *m, int32_t face, bool into) {
+    const solid_object_t *o = &m->solid->object[m->solid->face[face].object];
+    return o->kind != SOLID_OPEN && !(into && o->clear) && !m->any_behind && !area_looks_at_eye(m, face);
 }
 
 int32_t area_faces_most(const solid_map_t *m) {
     int32_t n = 0;
-    for (int32_t k = 0; k < m->solid->nf; k++) n += !is_turned_away(m, k);
+    for (int32_t k = 0; k < m->solid->nf; k++) n += !area_is_turned_away(m, k, m->through);
     return n;
 }
 
@@ -166,7 +165,7 @@ int area_faces_make(area_faces_t *faces, int32_t *corner_edge, uint8_t *state, a
         poly_vertex_t *v = faces->vertex + faces->vertices;
         state[k] = AREA_TURNED_AWAY;
         const bool through = m->through && solid_is_clear(m->solid, k);
-        if (!through && is_turned_away(m, k)) continue;
+        if (!through && area_is_turned_away(m, k, m->through)) continue;
         state[k] = AREA_LEFT_OUT;
         if (through) continue;
         int32_t n = place(l, &s->face[k], corner_edge, v, scratch, AREA_CORNERS(l->clips, most));

@@ -36,6 +36,10 @@ typedef struct area_faces {
 
 /* Is the eye on the side of a face from which it runs counter-clockwise, the outer one of a closed object? */
 bool area_looks_at_eye(const solid_map_t *m, int32_t face);
+/* Is it turned away from an eye that cannot see it then: one with everything in front of it is outside of all closed
+ * objects, and sees their outer sides only? into: translucent faces are looked through, into bodies of which they are
+ * a part. */
+bool area_is_turned_away(const solid_map_t *m, int32_t face, bool into);
 /* What is left of a face that is clipped may have so many corners. */
 #define AREA_CORNERS(clips, n) ((clips) ? 2 * (n) + 8 : (n))
 /* Scratch for a face of n corners, and while it is clipped for twice as many as are left. */

@@ -221,11 +221,6 @@ static area_place_t move(const lit_t *s, const mover_t *mv, poly_point_t p) {
 
 enum { NEXT, CONTOURS, VERTICES, HEAD };
 
-static bool is_unseen(const solid_map_t *m, int32_t face) {
-    const solid_t *s = m->solid;
-    return s->object[s->face[face].object].kind != SOLID_OPEN && !m->any_behind && !area_looks_at_eye(m, face);
-}
-
 /* A contour on its way to memory, clipped in space where the eye cannot have a picture of it: by one border after the
  * other (Sutherland & Hodgman), each of which keeps no more than where the contour began and where it is. */
 typedef struct lit_clip {
@@ -296,7 +291,7 @@ static int close_contour(lit_clip_t *c, int32_t from) {
 static int take_lit(void *ctx, int32_t face, const poly_t *p) {
     lit_t *s = ctx;
     mover_t mv;
-    if (is_unseen(s->m, face) || !find_corners(s, face, &mv)) return 0;
+    if (area_is_turned_away(s->m, face, true) || !find_corners(s, face, &mv)) return 0;
     if (HEAD + p->contours > s->words_max - s->words) return ERR_FULL;
     int32_t *block = s->word + s->words, *end = block + HEAD, *head = s->head + s->which * s->m->solid->nf + face;
     /* With nothing behind the eye, rounding alone puts something before what is nearest. */

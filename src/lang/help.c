@@ -109,7 +109,8 @@ static const topic_t topics[] = {
      "Moved in the order of the words; degrees about x, then y, then z. crease: edges between faces that meet at less\n"
      "than A degrees only where they are outlines. With set hidden3d horizon an OBJ file is a terrain.\n"
 #if CONFIG_AREA
-     "translucent: with set hidden3d area what is behind is drawn too, with dashes.\n"
+     "translucent ['NAME' ...]: with set hidden3d area what is behind is drawn too, with dashes; NAME: only faces\n"
+     "behind usemtl NAME, g NAME or o NAME.\n"
 #endif
     },
     {"fu$nctions",

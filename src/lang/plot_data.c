@@ -37,8 +37,19 @@ static int start_solid(session_t *s, session_source_t *src, bool inline_data, in
     affine_identity(&s->plot.affine);
     lexer_t lx;
     lexer_start(&lx, src->name.text + src->moves, src->moves ? src->name.len - src->moves : 0);
-    int err = plot_options_moves(s, &lx, &s->plot.affine, src);
+    char *names = NULL;
+#if CONFIG_AREA
+    names = s->plot.clear_names;
+    names[0] = '\0';
+#endif
+    int err = plot_options_moves(s, &lx, &s->plot.affine, src, names);
     obj_reader_start(&s->plot.obj, &s->pool, src->moves ? &s->plot.affine : NULL, inline_data, first_line);
+#if CONFIG_AREA
+    if (names[0]) {
+        s->plot.obj.clear = names;
+        s->plot.obj.clear_now = true; /* as mesh_t.clear says */
+    }
+#endif
     s->plot.obj.notice = notice;
     s->plot.obj.notice_ctx = s;
     return err;
@@ -89,6 +100,13 @@ int plot_data_done(session_t *s) {
         if (err) return plot_data_failed(s, src, err);
         s->plot.mesh[s->plot.next].smooth_q30 = src->smooth_q30;
         s->plot.mesh[s->plot.next].clear = src->clear;
+#if CONFIG_AREA
+        const obj_reader_t *obj = &s->plot.obj;
+        if (obj->clear && !obj->clear_any) {
+            s->plot.mesh[s->plot.next].clear = false;
+            session_warn(s, "no face in the data belongs to ", obj->clear, strlen(obj->clear), "");
+        }
+#endif
         s->plot.next++;
         return 0;
     }

@@ -158,7 +158,26 @@ static int crease(session_t *s, lexer_t *lx, int32_t *smooth_q30) {
     return 0;
 }
 
-int plot_options_moves(session_t *s, lexer_t *lx, affine_t *a, session_source_t *src) {
+#if CONFIG_AREA
+/* translucent ['NAME' ...]: names go to `names`, unless that is NULL, a zero behind each and another behind all. */
+static int translucent(session_t *s, lexer_t *lx, char *names) {
+    size_t at = 0;
+    while (lx->tok.kind == TOKEN_STRING) {
+        char name[OBJ_WORD_MAX + 1];
+        int len = lexer_string(lx, name, sizeof name);
+        if (len == 0) return session_fail(s, lx, ERR_VALUE, "the name of a group, an object or a material expected");
+        if (len < 0 || at + (size_t)len + 2 > PLOT_NAMES_MAX)
+            return session_fail(s, lx, ERR_FULL, "too many or too long names");
+        if (names) memcpy(names + at, name, (size_t)len + 1);
+        at += (size_t)len + 1;
+        lexer_next(lx);
+    }
+    if (names) names[at] = '\0';
+    return 0;
+}
+#endif
+
+int plot_options_moves(session_t *s, lexer_t *lx, affine_t *a, session_source_t *src, char *names) {
     static const word_t words[] = {
         {"translate", 0},
         {"rotate", 1},
@@ -182,6 +201,8 @@ int plot_options_moves(session_t *s, lexer_t *lx, affine_t *a, session_source_t 
 #if CONFIG_AREA
         if (which == 4) {
             src->clear = true;
+            int err = translucent(s, lx, names);
+            if (err) return err;
             continue;
         }
 #endif

@@ -97,7 +97,7 @@ static int moves(session_t *s, lexer_t *lx, session_source_t *src) {
     affine_t a;
     affine_identity(&a);
     lexer_t at = *lx;
-    int err = plot_options_moves(s, lx, &a, src);
+    int err = plot_options_moves(s, lx, &a, src, NULL);
     if (err || at.tok.start == lx->tok.start) return err;
     if (!src->solid) return session_fail(s, &at, ERR_UNSUPPORTED, "only solids can be moved or have a crease");
     src->moves = at.tok.start;

@@ -65,6 +65,8 @@ typedef struct session_chunk {
     char bytes[CONFIG_READ_CHUNK];
 } session_chunk_t;
 
+#define PLOT_NAMES_MAX 128 /* of `translucent`, with a zero behind each and another behind all */
+
 /* One element of a plot command, as it was typed. */
 typedef struct session_source {
     enum { SOURCE_EXPR, SOURCE_FILE, SOURCE_INLINE } kind;
@@ -130,6 +132,9 @@ typedef struct session {
             struct {
                 obj_reader_t obj;
                 affine_t affine;
+#if CONFIG_AREA
+                char clear_names[PLOT_NAMES_MAX]; /* obj.clear */
+#endif
             };
             struct {
                 session_work_t work[CONFIG_PLOT_ITEMS];

@@ -23,7 +23,7 @@
 enum mesh_kind {
     MESH_FACE,   /* a polygon of count >= 3 vertices, which need not be different */
     MESH_LINE,   /* a polyline of count >= 2 vertices */
-    MESH_OBJECT, /* count 0: what follows belongs to another object */
+    MESH_OBJECT, /* count 0: what follows belongs to another object; 1: is translucent (word not 0) or not */
     MESH_DETAIL, /* a polyline of count >= 2 vertices on the face before it */
 };
 
@@ -34,7 +34,7 @@ typedef struct mesh {
     int32_t segments;       /* of all polylines */
     int32_t details;        /* segments on faces */
     int32_t smooth_q30;     /* cosine of `crease`: edges where faces meet at less are drawn only as outlines; 0: all */
-    bool clear;             /* `translucent`: what is behind it is drawn, too */
+    bool clear;             /* `translucent`: what is behind it is drawn, too; of all but for MESH_OBJECT's words */
     const packed_t (*vertex)[3]; /* x, y, z: unpack with packed_num() */
     const int32_t *top;          /* word k is top[-1 - k]; 0 <= index < nv */
 } mesh_t;

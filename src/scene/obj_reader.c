@@ -66,13 +66,49 @@ static int32_t word_at(const obj_reader_t *r, int32_t k) {
     return *((const int32_t *)(const void *)(r->pool->base + r->pool->high) - 1 - k);
 }
 
+/* Twice the area of a contour: words from <= k < to, as a vector square to it (Newell). */
+static void area_of(const obj_reader_t *r, int32_t from, int32_t to, num_t area[3]) {
+    for (int axis = 0; axis < 3; axis++) area[axis] = num_from_i64(0);
+    for (int32_t k = from; k < to; k++) {
+        const packed_t *p = r->mesh.vertex[word_at(r, k)], *q = r->mesh.vertex[word_at(r, k + 1 < to ? k + 1 : from)];
+        const packed_t *o = r->mesh.vertex[word_at(r, from)];
+        for (int axis = 0; axis < 3; axis++) {
+            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+            const num_t pu = num_sub(packed_num(p[u]), packed_num(o[u])),
+                        qv = num_sub(packed_num(q[v]), packed_num(o[v]));
+            const num_t pv = num_sub(packed_num(p[v]), packed_num(o[v])),
+                        qu = num_sub(packed_num(q[u]), packed_num(o[u]));
+            area[axis] = num_add(area[axis], num_sub(num_mul(pu, qv), num_mul(pv, qu)));
+        }
+    }
+}
+
+/* Holes run the other way round than the polygon, so that what fills one runs like the polygon. */
+static void turn_hole(obj_reader_t *r) {
+    int32_t outer = r->head + 2, last = r->mesh.words - 1;
+    while (word_at(r, outer) != word_at(r, r->head + 1)) outer++; /* the way back to where the contour began */
+    num_t around[3], hole[3], same = num_from_i64(0);
+    area_of(r, r->head + 1, outer, around);
+    area_of(r, r->contour, last + 1, hole);
+    for (int axis = 0; axis < 3; axis++) same = num_add(same, num_mul(around[axis], hole[axis]));
+    if (num_sign(same) <= 0) return;
+    int32_t *const word = (int32_t *)(void *)(r->pool->base + r->pool->high) - 1;
+    for (int32_t k = r->contour; k < last; k++, last--) {
+        const int32_t swap = word[-k];
+        word[-k] = word[-last];
+        word[-last] = swap;
+    }
+}
+
 /* The end of a face's contour. A hole is joined to the outer contour by a cut that is gone along both ways, v0 ... h0
  * h1
  * ... h0, so that a face stays one chain; edges of one face on both sides are no lines (solid_is_cut). */
 static int end_contour(obj_reader_t *r) {
     int32_t count = r->mesh.words - r->contour;
     if (count < 3) return refuse(r, DATA_SHORT);
-    return r->contour == r->head + 1 ? 0 : push(r, word_at(r, r->contour));
+    if (r->contour == r->head + 1) return 0;
+    turn_hole(r);
+    return push(r, word_at(r, r->contour));
 }
 
 static int begin_hole(obj_reader_t *r) {
@@ -119,6 +155,51 @@ static void name_unsupported(obj_reader_t *r) {
     r->named |= bit;
 }
 
+#if CONFIG_AREA
+/* Is the word one of the translucent names? */
+static bool is_clear(const obj_reader_t *r) {
+    const size_t len = (size_t)r->token_len;
+    for (const char *name = r->clear; *name; name += strlen(name) + 1)
+        if (strlen(name) == len && memcmp(name, r->token, len) == 0) return true;
+    return false;
+}
+
+/* Says so before the first face that is translucent, or is not any more. */
+static int say_clear(obj_reader_t *r) {
+    const bool clear = r->clear_group || r->clear_material;
+    r->clear_any |= clear;
+    if (clear == r->clear_now) return 0;
+    r->clear_now = clear;
+    int err = push(r, 1 << 2 | MESH_OBJECT);
+    return err ? err : push(r, clear);
+}
+
+static int name(obj_reader_t *r) {
+    if (r->clear) *(r->what == 'u' ? &r->clear_material : &r->clear_group) |= is_clear(r);
+    return 0;
+}
+
+/* usemtl, o, g: none of what follows is translucent until a name says so; f: says what it is. */
+static int clear_word(obj_reader_t *r) {
+    if (!r->clear) return 0;
+    if (r->token_len == 6 && memcmp(r->token, "usemtl", 6) == 0) {
+        r->what = 'u';
+        r->clear_material = false;
+    }
+    if (r->what == 'o' || r->what == 'g') r->clear_group = false;
+    return r->what == 'f' ? say_clear(r) : 0;
+}
+#else
+static int name(obj_reader_t *r) {
+    (void)r;
+    return 0;
+}
+static int clear_word(obj_reader_t *r) {
+    (void)r;
+    return 0;
+}
+#endif
+
 static int first_word(obj_reader_t *r) {
     static const char taken[] = "vflogd";
     const char *c = r->token_len == 1 ? memchr(taken, r->token[0], sizeof taken - 1) : NULL;
@@ -128,9 +209,11 @@ static int first_word(obj_reader_t *r) {
         return 0;
     }
     if (r->what == 'd' && r->mesh.faces == 0) return refuse(r, DATA_DETAIL);
+    int err = clear_word(r);
+    if (err || r->what == 'u') return err;
     if (r->what && r->what != 'v') {
         r->head = r->mesh.words;
-        int err = push(r, 0);
+        err = push(r, 0);
         if (err) return err;
         set_head(r, MESH_OBJECT, 0);
         r->contour = r->mesh.words;
@@ -149,6 +232,8 @@ static int end_word(obj_reader_t *r) {
         err = number(r);
     else if (r->what == 'f' || r->what == 'l' || r->what == 'd')
         err = corner(r);
+    else if (r->what && r->what != 'v')
+        err = name(r);
     r->words++;
     r->token_len = 0;
     return err;
@@ -208,7 +293,7 @@ static int take(obj_reader_t *r, char c) {
     if (r->token_len == 0) r->token_at = r->at;
     if (r->token_len < OBJ_WORD_MAX)
         r->token[r->token_len++] = c;
-    else if (r->what)
+    else if (r->what && !strchr("ogu", r->what))
         return refuse(r, DATA_TEXT);
     return 0;
 }

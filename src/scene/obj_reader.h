@@ -3,14 +3,15 @@
  * Taken: `v x y z` (a weight or colours behind it are passed over), `f a b c ...` (ours: `h d e f ...` behind it is a
  * hole in the polygon, and so on), ours: `d a b ...`, a line on the face before it, `l a b ...`, `o` and `g`; vertices
  * of faces and lines may be written a/t/n and may count backwards from the last (-1); a `\` at the end of a line
- * continues it; `#` begins a comment. Passed over, since lines have no use for them: vt, vn, s, usemtl, mtllib, usemap,
- * and what else only concerns looks. Any other word is named once, with its line, through `notice`, and passed over
- * too. Inline data end at a line that is just `e`. Each vertex goes through the transformation on its way into memory.
- * Memory, from the pool: 24 bytes a vertex upwards; downwards 4 bytes for each face, line or object and each of their
- * vertices. */
+ * continues it; `#` begins a comment. Passed over, since lines have no use for them: vt, vn, s, mtllib, usemap, and
+ * what else only concerns looks; usemtl and the names of o and g say what is translucent, if `clear` has names. Any
+ * other word is named once, with its line, through `notice`, and passed over too. Inline data end at a line that is
+ * just `e`. Each vertex goes through the transformation on its way into memory. Memory, from the pool: 24 bytes a
+ * vertex upwards; downwards 4 bytes for each face, line or object and each of their vertices. */
 #ifndef OBJ_READER_H
 #define OBJ_READER_H
 
+#include "config.h"
 #include "scene/affine.h"
 #include "scene/data_grid.h"
 #include "scene/mesh.h"
@@ -28,8 +29,14 @@ typedef struct obj_reader {
     char what;        /* v, f, l, o, or 0 for a line without interest */
     bool comment, joins;
     bool inline_data, stopped; /* the line `e` was seen */
-    int32_t head;              /* word of the element's head */
-    int32_t contour;           /* word where its contour at hand begins */
+#if CONFIG_AREA
+    /* Names of translucent materials, groups and objects, a zero behind each and another behind all; NULL: none. */
+    const char *clear;
+    bool clear_group, clear_material, clear_now; /* the last o or g, the last usemtl; as written to the mesh */
+    bool clear_any;                              /* some face is */
+#endif
+    int32_t head;    /* word of the element's head */
+    int32_t contour; /* word where its contour at hand begins */
     num_t vertex[3];
     uint32_t named; /* bits: words that have been named */
     /* What is not supported; may be NULL. text is not ended by a zero. */

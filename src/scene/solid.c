@@ -162,7 +162,7 @@ static int32_t vertex_of(solid_build_t *b, const mesh_t *m, int32_t v) {
     return b->map[v];
 }
 
-static void add_face(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w, int32_t group) {
+static void add_face(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w, int32_t group, bool clear) {
     solid_t *s = b->s;
     int32_t *c = b->corner + s->nc, n = 0;
     for (int32_t k = 0; k < w->count; k++) {
@@ -171,8 +171,8 @@ static void add_face(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w, in
     }
     while (n > 1 && c[n - 1] == c[0]) n--;
     if (n < 3) return;
-    b->face[s->nf] =
-        (solid_face_t){.corner = s->nc, .n = n, .object = m->smooth_q30 * 2 + m->clear}; /* solid_join.c moves both */
+    /* solid_join.c moves what stands for the object. */
+    b->face[s->nf] = (solid_face_t){.corner = s->nc, .n = n & INT32_MAX >> 1, .clear = clear, .object = m->smooth_q30};
     for (int32_t k = 0; k < n; k++) b->corner_face[s->nc + k] = s->nf;
     b->group[s->nf] = group;
     s->nc += n;
@@ -214,11 +214,13 @@ static void fill(solid_build_t *b, const mesh_t *const *mesh, int32_t n) {
     for (int32_t k = 0; k < n; k++, group++) {
         memset(b->map, 0xff, (size_t)mesh[k]->nv * sizeof *b->map);
         mesh_walk_t w = mesh_walk(mesh[k]);
+        bool clear = mesh[k]->clear;
         while (mesh_next(&w)) {
-            if (w.kind == MESH_OBJECT) group++;
+            if (w.kind == MESH_OBJECT && w.count) clear = mesh_at(&w, 0) != 0;
+            if (w.kind == MESH_OBJECT && !w.count) group++;
             if (w.kind == MESH_FACE) {
                 int32_t before = b->s->nf;
-                add_face(b, mesh[k], &w, group);
+                add_face(b, mesh[k], &w, group, clear);
                 face = b->s->nf > before ? before : -1;
             }
             if (w.kind == MESH_DETAIL) add_detail(b, mesh[k], &w, face);

@@ -46,7 +46,9 @@ static inline bool solid_is_cut(const solid_edge_t *e) {
 }
 
 typedef struct solid_face {
-    int32_t corner, n; /* solid->corner[corner .. corner + n - 1], n >= 3; neighbours differ */
+    int32_t corner; /* solid->corner[corner .. corner + n - 1], n >= 3; neighbours differ */
+    int32_t n : 31;
+    bool clear : 1; /* translucent */
     int32_t object;
 } solid_face_t;
 
@@ -60,7 +62,7 @@ typedef struct solid_object {
     int32_t faces;
     int32_t smooth_q30; /* of the mesh of its first face (mesh.h) */
     uint8_t kind;       /* enum solid_kind */
-    bool clear;         /* of that mesh */
+    bool clear;         /* some of its faces are translucent */
 } solid_object_t;
 
 typedef struct solid {
@@ -90,7 +92,7 @@ int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, siz
 void solid_free_details(solid_t *s);
 /* Is the face translucent? */
 static inline bool solid_is_clear(const solid_t *s, int32_t face) {
-    return s->object[s->face[face].object].clear;
+    return s->face[face].clear;
 }
 /* Does the edge run across a cell of a surface (MESH_GRID)? Then it is no line of the drawing. */
 bool solid_is_across(const solid_t *s, const solid_edge_t *e);

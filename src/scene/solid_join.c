@@ -129,13 +129,14 @@ static void number_objects(solid_build_t *b) {
         int32_t root = (int32_t)find(b, (uint32_t)f, &turned);
         if (root == f) {
             uint8_t kind = b->object[f].kind ? SOLID_OPEN : SOLID_CLOSED;
-            int32_t look = b->face[f].object; /* add_face() */
-            b->object[s->no] = (solid_object_t){0, look >> 1, kind, look & 1};
+            b->object[s->no] = (solid_object_t){0, b->face[f].object /* add_face() */, kind, false};
             b->face[f].object = s->no++;
         } else {
             b->face[f].object = b->face[root].object; /* a root is the first face of its object */
         }
-        b->object[b->face[f].object].faces++;
+        solid_object_t *o = &b->object[b->face[f].object];
+        o->faces++;
+        o->clear |= b->face[f].clear;
     }
     for (int32_t f = 0; f < s->nf; f++) {
         bool turned;

@@ -181,6 +181,41 @@ glass_is_looked_through() {
     expect_text out 'column'
 }
 
+# A box with a pane for a front and a stick in it: by the names of materials, groups and objects, in a file and inline.
+glass_has_a_name() {
+    printf 'v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 0 0 4\nv 4 0 4\nv 4 4 4\nv 0 4 4\nv 1 2 2\nv 3 2 2\nl 9 10\n' >body
+    printf 'f 1 2 3 4\nf 5 6 7 8\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n' >walls
+    printf 'f 1 2 6 5\n' >front
+    { cat body; printf 'usemtl stone\n'; cat walls; printf 'usemtl clear-glass\n'; cat front; } >material.obj
+    { cat body; printf 'g front pane\n'; cat front; printf 'g\n'; cat walls; } >group.obj
+    { cat body; printf 'o pane\n'; cat front; printf 'o stone\n'; cat walls; } >object.obj
+    { cat body; printf 'usemtl clear-glass\no pane\n'; cat front; printf 'o stone\n'; cat walls; } >both.obj
+    drawn() { # elements
+        printf 'set view from 2,-20,9\nset hidden3d area\nset pen hidden 2\nset hatch 30,1\nset shadow\nset light -1,-3,2\nsplot %s\n' "$1" >ink.gp
+        ridgeline plot ink.gp -o ink.seg 2>ink.err || { cat ink.err; return 1; }
+        [ ! -s ink.err ] && grep -v '^#' ink.seg | sort >"$2"
+    }
+    drawn "'material.obj'" solid.seg
+    drawn "'material.obj' translucent 'wood' 'clear-glass'" material.seg
+    drawn "'group.obj' translucent 'pane'" group.seg
+    drawn "'object.obj' translucent 'pane'" object.seg
+    cmp material.seg group.seg && cmp material.seg object.seg
+    [ "$(wc -l <material.seg)" -gt "$(wc -l <solid.seg)" ]
+    # the material goes on behind the next object: all of it is clear then
+    drawn "'both.obj' translucent 'clear-glass'" both.seg
+    drawn "'both.obj' translucent" all.seg
+    cmp both.seg all.seg
+    { printf 'set view from 2,-20,9\nset hidden3d area\nset pen hidden 2\nset hatch 30,1\nset shadow\nset light -1,-3,2\n'
+        printf "splot '-' solid translucent 'pane'\n"; cat group.obj; printf 'e\n'; } >ink.gp
+    ridgeline plot ink.gp -o ink.seg && grep -v '^#' ink.seg | sort | cmp - group.seg
+    printf "set hidden3d area\nsplot 'group.obj' translucent 'pain'\n" >bad.gp
+    ridgeline plot bad.gp >out 2>&1
+    expect_text out 'no face in the data belongs to pain'
+    printf "splot 'group.obj' translucent ''\n" >bad.gp
+    expect_status 2 ridgeline plot bad.gp >out 2>&1
+    expect_text out 'line 1, column 31' 'the name of a group'
+}
+
 # A square of 4 x 4 with a line of 6 on it, of which it shows 4, a square of 1 x 1, and a line that is beside it; a smaller
 # sheet in front hides 1 of the line and half of the square.
 details_end_with_their_face() {
@@ -222,4 +257,4 @@ settings_are_answered() {
     done
 }
 
-run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own shadows_overlap lamps_cast_shadows_too surfaces_are_shaded surfaces_take_shadows glass_is_looked_through details_end_with_their_face settings_are_answered
+run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own shadows_overlap lamps_cast_shadows_too surfaces_are_shaded surfaces_take_shadows glass_is_looked_through glass_has_a_name details_end_with_their_face settings_are_answered

@@ -17,6 +17,7 @@
 #include "hidden/wires.h"
 #include "motion/motion.h"
 #include "scene/obj_reader.h"
+#include "scene/solid_math.h"
 
 #define POOL 200000
 
@@ -84,6 +85,24 @@ static void bodies_that_touch_are_two(void **state) {
     for (int e = 0; e < solid.ne; e++) twins += solid.edge[e].first != e;
     assert_int_equal(twins, 4);
     for (int o = 0; o < 2; o++) assert_int_equal(solid.object[o].kind, SOLID_CONVEX);
+}
+
+/* A cube one side of which is a frame with a window in it, whichever way round that is given, and a pane: its outer
+ * side is that of the cube. */
+static void what_fills_a_hole_looks_out(void **state) {
+    (void)state;
+    for (int turned = 0; turned < 4; turned++) {
+        char text[4000];
+        size_t n = add_box(text, 0, 0, 0, 0, 4, 4, 4, "12345");
+        n += (size_t)sprintf(text + n, "v 1 1 0\nv 3 1 0\nv 3 3 0\nv 1 3 0\n");
+        n += (size_t)sprintf(text + n, "f 1 2 4 3 h %s\n", turned & 1 ? "9 10 11 12" : "12 11 10 9");
+        sprintf(text + n, "f %s\n", turned & 2 ? "9 10 11 12" : "12 11 10 9");
+        assert_int_equal(build(text), 0);
+        assert_int_equal(solid.no, 1);
+        assert_true(solid.object[0].kind != SOLID_OPEN);
+        assert_true(solid_face_normal(&solid, 5).n[2] < 0);
+        assert_true(solid_face_normal(&solid, 6).n[2] < 0);
+    }
 }
 
 static void kinds_of_bodies(void **state) {
@@ -371,6 +390,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_cube_is_one_convex_object),
         cmocka_unit_test(bodies_that_touch_are_two),
+        cmocka_unit_test(what_fills_a_hole_looks_out),
         cmocka_unit_test(kinds_of_bodies),
         cmocka_unit_test(touching_bodies),
         cmocka_unit_test(viewer_in_special_places),
