@@ -65,7 +65,8 @@ struct area_tone; /* area_tone.h */
 /* Emits the visible parts of all edges as INK_SEGMENT, surface 0; with a tone (may be NULL) hatching too, as INK_CURVE
  * on surface LINE_HATCH, and borders of shadows on LINE_SHADOW. What is seen of edges only through translucent objects
  * goes to behind, unless that is NULL: then they are like others. Two sorts then: what is seen without them, and with
- * them. Returns as area_sort, and ERR_VALUE or ERR_LIGHT for a light that cannot be used. */
+ * them. Details are lines from solid->ne on, on surface LINE_DETAIL. Returns as area_sort, and ERR_VALUE or ERR_LIGHT
+ * for a light that cannot be used. */
 int area_draw(const solid_map_t *m, const struct area_tone *tone, const ink_sink_t *behind, const hidden_job_t *job,
               hidden_stats_t *stats, area_stats_t *area);
 

@@ -1,6 +1,7 @@
 /* area_draw.c - visible edges from visible polygons: where one ends in an edge of the scene, the edge is visible. */
 #include "config.h"
 #include "hidden/area.h"
+#include "hidden/area_detail.h"
 #include "hidden/area_face.h"
 #include "hidden/area_tone.h"
 #include "hidden/intervals.h"
@@ -18,8 +19,6 @@ enum { SHARES = 8, INTERVALS_SHARES = 2, TONE_SHARES = 3 };
 /* Gaps up to this in an edge are closed and parts no longer left out (2^-5 lat on the finest lattice): where areas were
  * cut, edges have moved by about as much. */
 #define LEAST_LAT 64
-#define DETAIL_CROSSINGS                                                                                               \
-    64 /* of one line with the borders of one polygon; with more the polygon is looked at in parts */
 
 typedef struct edge_ink {
     area_lattice_t lattice;
@@ -51,50 +50,6 @@ static int32_t parameter(const poly_point_t end[2], poly_point_t p) {
     return (int32_t)(at * INK_ONE / length);
 }
 
-/* The first detail of a face, or of a later one. */
-static int32_t first_detail(const solid_t *s, int32_t face) {
-    int32_t lo = s->ne, hi = s->ne + s->nd;
-    while (lo < hi) {
-        const int32_t middle = lo + (hi - lo) / 2;
-        if (s->edge[middle].face[0] < face)
-            lo = middle + 1;
-        else
-            hi = middle;
-    }
-    return lo;
-}
-
-/* Adds what of a line on a face lies in a visible polygon of it (even-odd). */
-static int add_detail(edge_ink_t *ink, int32_t line, const poly_t *p) {
-    int64_t t[DETAIL_CROSSINGS];
-    int n = 0;
-    area_edge_t e;
-    if (!area_edge(&ink->lattice, line, &e)) return 0;
-    for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++])
-        for (int32_t k = first; k < p->end[c]; k++) {
-            const poly_point_t a = p->v[k].at, b = p->v[k + 1 < p->end[c] ? k + 1 : first].at;
-            if ((poly_orient(e.end[0], e.end[1], a) > 0) == (poly_orient(e.end[0], e.end[1], b) > 0)) continue;
-            const int64_t from = poly_orient(a, b, e.end[0]) / 2, to = poly_orient(a, b, e.end[1]) / 2;
-            int64_t at = from == to ? 0 : ints_muldiv_round(INK_ONE, from, from - to);
-            at = at < 0 ? 0 : at > INK_ONE ? INK_ONE : at;
-            if (n == DETAIL_CROSSINGS) return ERR_FULL;
-            int j = n++;
-            for (; j > 0 && t[j - 1] > at; j--) t[j] = t[j - 1];
-            t[j] = at;
-        }
-    int err = 0;
-    for (int i = 0; i + 1 < n && !err; i += 2) err = intervals_add(ink->edges, line, (int32_t)t[i], (int32_t)t[i + 1]);
-    return err;
-}
-
-static int add_details(edge_ink_t *ink, int32_t face, const poly_t *p) {
-    const solid_t *s = ink->lattice.m->solid;
-    int err = 0;
-    for (int32_t k = first_detail(s, face); k < s->ne + s->nd && s->edge[k].face[0] == face && !err; k++)
-        err = add_detail(ink, k, p);
-    return err;
-}
-
 /* Lines of the intervals: edges, details, then those of the hatching. */
 static int32_t hatch_first(const edge_ink_t *ink) {
     return ink->lattice.m->solid->ne + ink->lattice.m->solid->nd;
@@ -102,7 +57,7 @@ static int32_t hatch_first(const edge_ink_t *ink) {
 
 static int take_polygon(void *ctx, int32_t face, const poly_t *p) {
     edge_ink_t *ink = ctx;
-    int err = add_details(ink, face, p);
+    int err = area_details(&ink->lattice, face, p, ink->edges);
     if (err) return err;
     if (ink->toner && (!ink->clear || solid_is_clear(ink->lattice.m->solid, face))) {
         err = area_toner_polygon(ink->toner, face, p, hatch_first(ink), &ink->parts);

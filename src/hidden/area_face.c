@@ -110,16 +110,16 @@ static int32_t clip(const area_lattice_t *l, int border, const area_corner_t *fr
     return left;
 }
 
-/* The face's corners on the page and in scratch, clipped where they cannot be drawn. Returns how many, or ERR_FULL. */
-static int32_t place(const area_lattice_t *l, const solid_face_t *f, const int32_t *corner_edge, poly_vertex_t *v,
-                     area_corner_t *scratch, int32_t most) {
+int32_t area_face_place(const area_lattice_t *l, const solid_face_t *f, const int32_t *corner_edge, poly_vertex_t *v,
+                        area_corner_t *scratch, int32_t most) {
     const solid_t *s = l->m->solid;
     bool clips = false;
     int32_t n = f->n;
     for (int32_t k = 0; k < n; k++) {
         int32_t vertex = s->corner[f->corner + k];
         clips |= l->clips && !area_is_inside(l, vertex);
-        scratch[k] = (area_corner_t){.at = area_place(l, vertex), .tag = corner_edge[f->corner + k]};
+        scratch[k] =
+            (area_corner_t){.at = area_place(l, vertex), .tag = corner_edge ? corner_edge[f->corner + k] : POLY_CUT};
     }
     area_corner_t *from = scratch, *to = scratch + most;
     for (int b = 0; b < AREA_BORDERS && clips; b++) {
@@ -168,7 +168,7 @@ int area_faces_make(area_faces_t *faces, int32_t *corner_edge, uint8_t *state, a
         if (!through && area_is_turned_away(m, k, m->through)) continue;
         state[k] = AREA_LEFT_OUT;
         if (through) continue;
-        int32_t n = place(l, &s->face[k], corner_edge, v, scratch, AREA_CORNERS(l->clips, most));
+        int32_t n = area_face_place(l, &s->face[k], corner_edge, v, scratch, AREA_CORNERS(l->clips, most));
         if (n < 0) return n;
         *f = (area_face_t){.face = k, .first = faces->vertices, .n = n};
         if (n < 3 || !span(l, f, v, scratch)) continue;

@@ -52,6 +52,12 @@ typedef struct area_corner {
     int32_t tag;
 } area_corner_t;
 
+/* A face's corners on the page and in scratch, clipped where they cannot be drawn. v has room for AREA_CORNERS, which
+ * is `most`, and scratch is AREA_SCRATCH. corner_edge: tags of all corners of the scene, or NULL. Returns how many, or
+ * ERR_FULL. */
+int32_t area_face_place(const area_lattice_t *l, const solid_face_t *f, const int32_t *corner_edge, poly_vertex_t *v,
+                        area_corner_t *scratch, int32_t most);
+
 /* How much the depth of a face may be off where it is z: SOLID_FLAT units of the scene across its plane. */
 int64_t area_slack(const area_lattice_t *l, const area_face_t *f, int64_t z);
 /* How many faces may take part: not those of closed objects that are seen from behind. */

@@ -29,11 +29,11 @@ static int64_t behind(const apart_t *a, int32_t t_q30) {
 }
 
 /* Where the line crosses the border, in order; those before and after it as its ends. Returns how many, or an error. */
-static int32_t crossings(const wire_t *w, const area_face_t *f, const poly_vertex_t *v, int32_t *t, int32_t most) {
+static int32_t crossings(const wire_t *w, const poly_vertex_t *v, int32_t corners, int32_t *t, int32_t most) {
     int32_t n = 0;
-    poly_point_t a = v[f->n - 1].at;
+    poly_point_t a = v[corners - 1].at;
     int64_t side_a = poly_orient(w->line.end[0], w->line.end[1], a);
-    for (int32_t k = 0; k < f->n; k++) {
+    for (int32_t k = 0; k < corners; k++) {
         poly_point_t b = v[k].at;
         int64_t side_b = poly_orient(w->line.end[0], w->line.end[1], b);
         if ((side_a > 0) != (side_b > 0)) {
@@ -82,27 +82,59 @@ static int show_up_to(void *ctx, const interval_t *hidden) {
     return from < hidden->from_q30 ? u->sink->wire(u->sink->ctx, u->edge, from, hidden->from_q30) : 0;
 }
 
-static int draw(const area_faces_t *faces, int32_t edge, intervals_t *hidden, int32_t *t, int32_t most,
-                const area_sink_t *sink) {
+/* Memory for one line at a time. */
+typedef struct wire_memory {
+    intervals_t hidden;
+    int32_t *t, most; /* crossings */
+    uint8_t *scratch; /* a face */
+    size_t scratch_bytes;
+} wire_memory_t;
+
+/* Of a line on a translucent face that is looked through: what is not on it is hidden. */
+static int hide_beside(const area_lattice_t *l, const wire_t *w, int32_t face, wire_memory_t *m) {
+    const solid_face_t *f = &l->m->solid->face[face];
+    const int32_t most = AREA_CORNERS(l->clips, f->n);
+    const size_t corners = ((size_t)most * sizeof(poly_vertex_t) + 7) & ~(size_t)7;
+    if (m->scratch_bytes < corners + AREA_SCRATCH(l->clips, f->n)) return ERR_FULL;
+    poly_vertex_t *v = (poly_vertex_t *)(void *)m->scratch;
+    int32_t n = area_face_place(l, f, NULL, v, (area_corner_t *)(void *)(m->scratch + corners), most);
+    if (n > 0) n = crossings(w, v, n, m->t, m->most);
+    int32_t from = 0;
+    for (int32_t k = 0; k + 1 < n; k += 2) {
+        int err = from < m->t[k] ? intervals_add(&m->hidden, 0, from, m->t[k]) : 0;
+        if (err) return err;
+        from = m->t[k + 1];
+    }
+    if (n < 0) return n;
+    return from < INK_ONE ? intervals_add(&m->hidden, 0, from, (int32_t)INK_ONE) : 0;
+}
+
+/* on: the face that it is drawn on, or -1. */
+static int draw(const area_faces_t *faces, int32_t edge, int32_t on, wire_memory_t *m, const area_sink_t *sink) {
     wire_t w;
     if (!area_edge(&faces->lattice, edge, &w.line)) return 0;
     const poly_vertex_t ends[2] = {{w.line.end[0], 0}, {w.line.end[1], 0}};
     w.box = area_box_of(ends, 2);
-    w.box.x1++, w.box.y1++; /* a box without a width meets others all the same */
-    hidden->n = 0;
+    /* A box without a width meets others all the same, and one whose border it lies on: it may be inside. */
+    w.box.x0--, w.box.y0--, w.box.x1++, w.box.y1++;
+    m->hidden.n = 0;
+    if (on >= 0) {
+        int err = hide_beside(&faces->lattice, &w, on, m);
+        if (err) return err;
+    }
     for (int32_t k = 0; k < faces->n; k++) {
         const area_face_t *f = &faces->face[k];
         if (!area_boxes_meet(&f->box, &w.box)) continue;
-        int32_t n = crossings(&w, f, faces->vertex + f->first, t, most);
+        int32_t n = crossings(&w, faces->vertex + f->first, f->n, m->t, m->most);
         if (n < 0) return n;
         for (int32_t i = 0; i + 1 < n; i += 2) {
-            int err = hide(&faces->lattice, &w, f, t[i], t[i + 1], hidden);
+            int err = hide(&faces->lattice, &w, f, m->t[i], m->t[i + 1], &m->hidden);
             if (err) return err;
         }
     }
     wire_use_t use = {sink, edge, 0};
     const interval_use_t each = {&use, no_gap, show_up_to};
-    int err = intervals_finish(hidden, &each);
+    int err = intervals_finish(&m->hidden, &each);
     const interval_t end = {0, (int32_t)INK_ONE, (int32_t)INK_ONE};
     return err ? err : show_up_to(&use, &end);
 }
@@ -117,13 +149,20 @@ static bool is_answered_for(const solid_t *s, int32_t edge, const uint8_t *state
 
 int area_wires(const area_faces_t *faces, const uint8_t *state, void *mem, size_t bytes, const area_sink_t *sink) {
     const solid_t *s = faces->lattice.m->solid;
-    intervals_t hidden;
-    size_t half = bytes / 2 & ~(size_t)7;
-    intervals_init(&hidden, mem, half);
-    int32_t *t = (int32_t *)(void *)((uint8_t *)mem + half), most = (int32_t)(half / sizeof *t);
+    wire_memory_t m;
+    const size_t third = bytes / 3 & ~(size_t)7;
+    intervals_init(&m.hidden, mem, third);
+    m.t = (int32_t *)(void *)((uint8_t *)mem + third);
+    m.most = (int32_t)(third / sizeof *m.t);
+    m.scratch = (uint8_t *)mem + 2 * third;
+    m.scratch_bytes = third;
     for (int32_t e = 0; e < s->ne; e++) {
         if (s->edge[e].first != e || solid_is_cut(&s->edge[e]) || is_answered_for(s, e, state)) continue;
-        int err = draw(faces, e, &hidden, t, most, sink);
+        int err = draw(faces, e, -1, &m, sink);
+        if (err) return err;
+    }
+    for (int32_t e = s->ne; e < s->ne + s->nd && faces->lattice.m->through; e++) {
+        int err = solid_is_clear(s, s->edge[e].face[0]) ? draw(faces, e, s->edge[e].face[0], &m, sink) : 0;
         if (err) return err;
     }
     return 0;

@@ -1,4 +1,5 @@
-/* area_wires.h - lines that no polygon of the area sort ends in: free segments, and edges of faces seen edge-on. */
+/* area_wires.h - lines that no polygon of the area sort ends in: free segments, edges of faces seen edge-on, and, where
+ * those are looked through, edges and details of translucent faces. */
 #ifndef AREA_WIRES_H
 #define AREA_WIRES_H
 

@@ -65,11 +65,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const mesh_t *list[1] = {&mesh};
     data_pool_t pool = {memory, 0, POOL};
     obj_reader_start(&r, &pool, NULL, data[0] & 1, 0);
+    if (data[9] & 1) r.clear = "g\0glass\0", r.clear_now = true;
     size_t chunk = 1 + data[4] % 32;
     int err = 0;
     for (size_t at = HEAD; !err && at < size; at += chunk)
         err = obj_reader_feed(&r, (const char *)data + at, size - at < chunk ? size - at : chunk);
     if (!err) err = obj_reader_finish(&r, &mesh);
+    if (!err && r.clear) mesh.clear = r.clear_any;
     if (err || solid_build(&solid, list, 1, lent, sizeof lent)) return 0;
     draw(&solid, data);
     return 0;

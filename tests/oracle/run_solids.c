@@ -8,26 +8,14 @@
 #include "hidden/convex.h"
 #include "tests/oracle/num_of.h"
 #include "tests/oracle/run_cases.h"
-#include "tests/oracle/solid_scenes.h"
-
-/* What the kernel draws, as pieces of the reference's edges. */
-typedef struct ink {
-    const solid_ref_t *ref;
-    const solid_t *solid;
-    const page_view_t *view;
-    double unit; /* of the scene's lattice */
-    judge_piece_t *piece;
-    size_t n;
-    int lost;     /* pieces on edges that the reference does not know */
-    double moved; /* steps that the lattice has moved an end on the page, at most */
-} ink_t;
+#include "tests/oracle/solid_ink.h"
 
 static void world(const solid_t *s, int32_t v, double out[3]) {
     for (int k = 0; k < 3; k++) out[k] = num_value(s->origin[k]) + ldexp(s->vertex[v].at[k], -s->shift);
 }
 
 /* How far the rounding of vertices moves the end of a piece. */
-static void measure_moved(ink_t *i, const double a[3], const double b[3], int edge, bool turned, double t) {
+static void measure_moved(solid_ink_t *i, const double a[3], const double b[3], int edge, bool turned, double t) {
     const exact_point_t *p = &i->ref->vertex[i->ref->edge[edge][turned]],
                         *q = &i->ref->vertex[i->ref->edge[edge][!turned]];
     const exact_point_t ours = {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])},
@@ -39,8 +27,8 @@ static void measure_moved(ink_t *i, const double a[3], const double b[3], int ed
     i->moved = fmax(i->moved, hypot(x[1] - x[0], y[1] - y[0]) / JUDGE_STEP_MM);
 }
 
-static int take(void *ctx, const ink_piece_t *p) {
-    ink_t *i = ctx;
+int solid_ink_take(void *ctx, const ink_piece_t *p) {
+    solid_ink_t *i = ctx;
     double a[3], b[3], from = (double)p->from / (double)INK_ONE, to = (double)p->to / (double)INK_ONE;
     bool turned;
     world(i->solid, i->solid->edge[p->line].v[0], a);
@@ -72,8 +60,7 @@ static bool runs_along(const solid_ref_t *r, int of, int on, double within, doub
     return fmin(t[0], t[1]) < 1 && fmax(t[0], t[1]) > 0;
 }
 
-/* Where edges of bodies that touch lie on top of one another, ink on one of them is ink on the others. */
-static void share(ink_t *ink) {
+void solid_ink_share(solid_ink_t *ink) {
     const solid_ref_t *r = ink->ref;
     const double within = fmax(1e-7 * r->size, ink->unit);
     size_t drawn = ink->n;
@@ -104,22 +91,29 @@ static void share(ink_t *ink) {
 
 void solid_scene_mesh(const solid_ref_t *r, mesh_t *m) {
     packed_t(*vertex)[3] = malloc((size_t)r->nv * sizeof *vertex);
-    int32_t words = r->nc + r->nf + 3 * r->nl, *top = (int32_t *)malloc((size_t)words * sizeof *top) + words, *w = top;
+    int32_t words = r->nc + r->nf + 3 * r->nl + (r->clear ? 2 * r->nf : 0) + 3 * r->nd,
+            *top = (int32_t *)malloc((size_t)words * sizeof *top) + words, *w = top;
     for (int v = 0; v < r->nv; v++) {
         vertex[v][0] = packed_from_num(num_of(r->vertex[v].x));
         vertex[v][1] = packed_from_num(num_of(r->vertex[v].y));
         vertex[v][2] = packed_from_num(num_of(r->vertex[v].z));
     }
-    for (int f = 0; f < r->nf; f++) {
+    for (int f = 0, d = 0; f < r->nf; f++) {
+        if (r->clear) *--w = 1 << 2 | MESH_OBJECT, *--w = r->clear[f];
         *--w = (r->first[f + 1] - r->first[f]) << 2 | MESH_FACE;
         for (int k = r->first[f]; k < r->first[f + 1]; k++) *--w = r->corner[k];
+        for (; d < r->nd && r->detail[d][0] == f; d++) {
+            *--w = 2 << 2 | MESH_DETAIL;
+            *--w = r->detail[d][1];
+            *--w = r->detail[d][2];
+        }
     }
     for (int k = 0; k < r->nl; k++) {
         *--w = 2 << 2 | MESH_LINE;
         *--w = r->line[k][0];
         *--w = r->line[k][1];
     }
-    *m = (mesh_t){.nv = r->nv, .words = words, .faces = r->nf, .corners = r->nc, .segments = r->nl};
+    *m = (mesh_t){.nv = r->nv, .words = words, .faces = r->nf, .corners = r->nc, .segments = r->nl, .details = r->nd};
     m->vertex = (const packed_t(*)[3])vertex;
     m->top = top;
 }
@@ -129,7 +123,7 @@ void solid_scene_mesh_free(mesh_t *m) {
     free((void *)(uintptr_t)(m->top - m->words));
 }
 
-static void page_of(const camera_t *cam, page_view_t *v, exact_eye_t *eye) {
+void solid_view_of(const camera_t *cam, page_view_t *v, exact_eye_t *eye) {
     for (int r = 0; r < 3; r++)
         for (int k = 0; k < 4; k++) v->m[r][k] = num_value(cam->m[r][k]) / (r < 2 ? LAT_PER_MM : 1);
     *eye = (exact_eye_t){num_value(cam->eye[0]), num_value(cam->eye[1]), num_value(cam->eye[2]), cam->perspective};
@@ -174,15 +168,15 @@ void solid_stage_free(solid_stage_t *t) {
 int solid_stage_judge(solid_stage_t *t, const solid_scene_t *s, int every, judge_report_t *out, bool *good) {
     solid_ref_t ref = s->ref; /* shares the memory; the eye is its own */
     page_view_t view;
-    ink_t ink = {.ref = &ref, .solid = &t->solid, .view = &view, .unit = ldexp(1, -t->solid.shift)};
+    solid_ink_t ink = {.ref = &ref, .solid = &t->solid, .view = &view, .unit = ldexp(1, -t->solid.shift)};
     *out = (judge_report_t){0};
-    page_of(&t->cam, &view, &ref.eye);
-    int err = solid_stage_draw(t, &(ink_sink_t){&ink, take});
+    solid_view_of(&t->cam, &view, &ref.eye);
+    int err = solid_stage_draw(t, &(ink_sink_t){&ink, solid_ink_take});
     *good = true;
     /* for the area sort an eye in a face is a matter of taste */
     if (!err && !(t->area && solid_ref_eye_touches(&ref))) {
         judge_subject_t what = judge_solid(&ref);
-        if (!every) share(&ink);
+        if (!every) solid_ink_share(&ink);
         what.every = every;
         *good = judge_pieces(&what, &view, ink.piece, ink.n, out) == 0 && ink.lost == 0 && cases_good(out);
         out->end_steps = fmax(out->end_steps, ink.moved);

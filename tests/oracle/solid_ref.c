@@ -35,6 +35,8 @@ void solid_ref_free(solid_ref_t *r) {
     free(r->first);
     free(r->line);
     free(r->edge);
+    free(r->clear);
+    free(r->detail);
     *r = (solid_ref_t){0};
 }
 
@@ -236,6 +238,44 @@ void solid_ref_hidden(const solid_ref_t *r, const exact_point_t at[2], const exa
     }
     spans_tidy(hidden);
     if (either) spans_tidy(either);
+}
+
+void solid_ref_beside(const solid_ref_t *r, int f, const exact_point_t at[2], spans_t *beside, spans_t *either) {
+    static cuts_t c;
+    const vec_t a = {at[0].x, at[0].y, at[0].z}, b = {at[1].x, at[1].y, at[1].z};
+    vec_t n;
+    const bool flat = plane(r, f, &n);
+    spans_clear(beside);
+    spans_clear(either);
+    c.n = 0;
+    c.t[c.n++] = 0;
+    c.t[c.n++] = 1;
+    for (int k = r->first[f]; k < r->first[f + 1]; k++) {
+        exact_point_t p = r->vertex[r->corner[k]],
+                      q = r->vertex[r->corner[k + 1 < r->first[f + 1] ? k + 1 : r->first[f]]];
+        vec_t m = cross(sub(q, p), to_eye(r, (vec_t){p.x, p.y, p.z}));
+        cut(&c, dot(m, sub(at[0], p)), dot(m, sub(at[1], p)));
+    }
+    qsort(c.t, (size_t)c.n, sizeof c.t[0], by_value);
+    for (int k = 0; k + 1 < c.n; k++) {
+        const long double t = (c.t[k] + c.t[k + 1]) / 2;
+        const vec_t p = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)}, d = to_eye(r, p),
+                    o = at_vertex(r, r->first[f]);
+        const long double slope = flat ? dot(n, d) : 0;
+        bool border = false, inside = false;
+        if (fabsl(slope) < 1e-3L * norm(d)) { /* the lattice of the scene decides where the border is */
+            border = true;
+        } else {
+            const long double s = dot(n, (vec_t){o.x - p.x, o.y - p.y, o.z - p.z}) / slope;
+            inside = is_within(r, f, n, (vec_t){p.x + s * d.x, p.y + s * d.y, p.z + s * d.z}, 1e-8L * r->size, &border);
+        }
+        if (border)
+            spans_add(either, c.t[k], c.t[k + 1]);
+        else if (!inside)
+            spans_add(beside, c.t[k], c.t[k + 1]);
+    }
+    spans_tidy(beside);
+    spans_tidy(either);
 }
 
 bool solid_ref_eye_touches(const solid_ref_t *r) {

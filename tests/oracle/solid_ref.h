@@ -12,11 +12,13 @@
 typedef struct solid_ref {
     exact_point_t *vertex;
     int nv;
-    int *corner, nc;    /* of all faces, one after another */
-    int *first, nf;     /* of each face, in corner; and one more */
-    int (*line)[2], nl; /* free segments */
-    int (*edge)[2], ne; /* solid_ref_finish(): all different pairs of places */
-    double size;        /* of the scene */
+    int *corner, nc;      /* of all faces, one after another */
+    int *first, nf;       /* of each face, in corner; and one more */
+    int (*line)[2], nl;   /* free segments */
+    int (*edge)[2], ne;   /* solid_ref_finish(): all different pairs of places */
+    bool *clear;          /* is a face translucent? NULL: none is */
+    int (*detail)[3], nd; /* lines on a face: its number, in order, and two vertices */
+    double size;          /* of the scene */
     exact_eye_t eye;
 } solid_ref_t;
 
@@ -33,6 +35,9 @@ int solid_ref_find(const solid_ref_t *r, const double a[3], const double b[3], d
  * sight only touches a face's border; may be NULL. */
 void solid_ref_hidden(const solid_ref_t *r, const exact_point_t at[2], const exact_point_t own[2], spans_t *hidden,
                       spans_t *either);
+/* What of the segment has a picture that is not on that of the face. either: where it is on its border, or the face is
+ * seen edge-on. */
+void solid_ref_beside(const solid_ref_t *r, int face, const exact_point_t at[2], spans_t *beside, spans_t *either);
 /* Does the eye lie in a face? What it sees is then a matter of taste. */
 bool solid_ref_eye_touches(const solid_ref_t *r);
 judge_subject_t judge_solid(const solid_ref_t *r);
