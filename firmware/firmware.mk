@@ -17,7 +17,7 @@ FW_OBJ_$1 := $$(patsubst %,$(FWDIR)/$1/%.o,$$(basename $$(FW_SRC) $$(wildcard ha
 $(FWDIR)/$1/%.o: %.c firmware/boards.mk
 	@mkdir -p $$(@D)
 	$$(call say,CC,$1 $$<)
-	$$(Q)$(CROSS)gcc -Isrc -I. -Ihal/$1 $$(CPU_$1) $$(OPT_$1) $$(addprefix -D,$$(CONFIG_$1)) $(FW_CFLAGS) -c $$< -o $$@
+	$$(Q)$(CROSS)gcc -Isrc -I. -Ihal/$1 $$(CPU_$1) $$(OPT_$1) $$(addprefix -D,$$(CONFIG_$1)) $(UNSET:%=-U%) $(FW_CFLAGS) -c $$< -o $$@
 $(FWDIR)/$1/%.o: %.S
 	@mkdir -p $$(@D)
 	$$(Q)$(CROSS)gcc $$(CPU_$1) -mthumb -c $$< -o $$@
@@ -29,7 +29,7 @@ $(foreach b,$(BOARDS),$(eval $(call board,$b)))
 IMAGES := $(BOARDS:%=$(FWDIR)/%.elf) $(FWDIR)/rp2040.bin
 
 # The step interrupt is worth its bytes on the smallest part, too.
-$(FWDIR)/nrf51/src/motion/stepgen.o $(FWDIR)/nrf51/hal/port/ahead.o $(FWDIR)/nrf51/hal/port/ahead_timer.o: OPT_nrf51 := -O2
+$(FWDIR)/nrf51/src/motion/stepgen.o $(FWDIR)/nrf51/hal/port/ahead.o $(FWDIR)/nrf51/hal/nrf51/player.o: OPT_nrf51 := -O2 -flto=auto
 
 $(FWDIR)/uf2: firmware/tools/uf2.c
 	@mkdir -p $(@D)

@@ -15,13 +15,14 @@ port_state_t port = {.invert = PORT_INVERT};
 #define BIT(word, pin, at) ((uint32_t)((word) >> (pin)&1) << (at))
 #define SPREAD1(w)                                                                                                     \
     (BIT(w, 0, PIN_X_STEP) | BIT(w, 1, PIN_X_DIR) | BIT(w, 2, PIN_Y_STEP) | BIT(w, 3, PIN_Y_DIR) |                     \
-     BIT(w, 4, PIN_PEN) | BIT(w, 5, PIN_ENABLE))
+     BIT(w, 4, PIN_PEN) | BIT(w, 5, PIN_ENABLE) | 1u << PIN_TX)
 #define SPREAD4(w) SPREAD1(w), SPREAD1((w) + 1), SPREAD1((w) + 2), SPREAD1((w) + 3)
 #define SPREAD16(w) SPREAD4(w), SPREAD4((w) + 4), SPREAD4((w) + 8), SPREAD4((w) + 12)
 const uint32_t port_spread[64] = {SPREAD16(0), SPREAD16(16), SPREAD16(32), SPREAD16(48)};
 
 static const uint8_t PIN[6] = {PIN_X_STEP, PIN_X_DIR, PIN_Y_STEP, PIN_Y_DIR, PIN_PEN, PIN_ENABLE};
 static const uint8_t INPUT[4] = {23, 22, 17, 21};
+#define INPUTS (1u << 23 | 1u << 22 | 1u << 17 | 1u << 21)
 
 uint32_t port_pins(void) {
     uint32_t out = GPIO_OUT, value = 0;
@@ -44,20 +45,29 @@ void port_uart_isr(void) {
     console_uart_isr();
 }
 
-void port_timer_isr(void) {
-    TIMER0_COMPARE0 = 0;
-    player_isr();
+void port_wake_isr(void) {
+    TIMER1_COMPARE0 = 0;
+    pendsv_pend();
+}
+
+/* Interrupts off only when there is something to be done: the player's may be due. */
+static void look_at_switches(void) {
+    static uint32_t seen = UINT32_MAX;
+    const uint32_t in = GPIO_IN & INPUTS;
+    if (in == seen) return;
+    const uint32_t state = irq_lock();
+    seen = in;
+    switches_isr();
+    irq_unlock(state);
 }
 
 void port_plan_isr(void) {
     ahead_plan_isr();
-    switches_isr();
+    look_at_switches();
 }
 
 void hal_idle(void) {
-    uint32_t state = irq_lock();
-    switches_isr();
-    irq_unlock(state);
+    look_at_switches();
 }
 
 /* 32,768 Hz, its own oscillator; runs on while the processor sleeps or is held by a debugger's breakpoint not. */
@@ -73,6 +83,7 @@ void hal_watchdog_feed(void) {
 
 void port_wire(const hal_wiring_t *wiring) {
     (void)wiring; /* no PWM */
+    player_turn(port.invert);
     GPIO_DIRSET = port_spread[PORT_ALL_PINS];
 }
 
@@ -90,6 +101,10 @@ void hal_start(void) {
     TIMER0_PRESCALER = 1;
     TIMER0_INTENSET = 1u << 16;
     TIMER0_START = 1;
+    TIMER1_BITMODE = 0;
+    TIMER1_PRESCALER = 4;
+    TIMER1_INTENSET = 1u << 16;
+    TIMER1_START = 1;
 
     GPIO_OUTSET = 1u << PIN_TX;
     GPIO_DIRSET = 1u << PIN_TX;
@@ -103,7 +118,9 @@ void hal_start(void) {
 
     switches_start();
     pendsv_priority(1);
+    irq_priority(PORT_IRQ_WAKE, 1);
     irq_priority(PORT_IRQ_UART, 2);
     irq_enable(PORT_IRQ_TIMER);
+    irq_enable(PORT_IRQ_WAKE);
     irq_enable(PORT_IRQ_UART);
 }

@@ -11,31 +11,25 @@
 #include "hal/hal.h"
 #include "hal/nrf51/regs.h"
 
-#define AHEAD_EDGES 16
-#define AHEAD_BATCH 8
-#define AHEAD_PAIR 72
-#define AHEAD_ENTRY 80
-#define AHEAD_SOON 176
-#define AHEAD_AFTER 80
-#define AHEAD_SLACK 96
+#define AHEAD_EDGES 32 /* player_isr.S */
+#define AHEAD_BATCH 17 /* one of them is kept for what ends it: half of the ring */
 
 #define PORT_ALL_PINS 0x3fu
 #define PORT_INVERT 0u /* high is active: a chip in reset drives nothing, and pull-downs leave motors off, pen up */
 
-enum { PORT_IRQ_UART = 2, PORT_IRQ_TIMER = 8 };
+enum { PORT_IRQ_UART = 2, PORT_IRQ_TIMER = 8 /* TIMER0 */, PORT_IRQ_WAKE = 9 /* TIMER1 */ };
 
 /* Pin numbers of the chip, in the order of enum hal_pin. */
 enum { PIN_X_STEP = 3, PIN_X_DIR = 2, PIN_Y_STEP = 1, PIN_Y_DIR = 18, PIN_PEN = 20, PIN_ENABLE = 16 };
-#define PORT_OUT                                                                                                       \
-    (1u << PIN_X_STEP | 1u << PIN_X_DIR | 1u << PIN_Y_STEP | 1u << PIN_Y_DIR | 1u << PIN_PEN | 1u << PIN_ENABLE)
 
 void port_uart_isr(void);
-void port_timer_isr(void);
+void port_wake_isr(void);
+void player_turn(uint32_t pins); /* these are active low: not while edges are played */
 void port_wire(const hal_wiring_t *wiring);
 static inline void port_pen_up(void) {}
 void port_plan_isr(void);
 
-extern const uint32_t port_spread[64]; /* pin word to the chip's pins */
+extern const uint32_t port_spread[64]; /* pin word to the chip's pins, and the console's, which rests high */
 uint32_t port_pins(void);
 uint32_t port_inputs(void);
 
@@ -53,21 +47,10 @@ static inline uint32_t port_now(void) {
     return port_count() * 2;
 }
 
-static inline uint32_t port_raw(uint32_t at) {
-    return at;
-}
-
-static inline void port_until(uint32_t raw) {
-    while ((int32_t)(port_now() - raw) < 0) continue;
-}
-
-/* The new compare value before the old event is cleared: in 32-bit mode QEMU would raise it again at once. One that
- * came in between would be lost, and the next only after nine minutes. */
-static inline void port_alarm(uint32_t at) {
-    const uint32_t last = TIMER0_CC1, count = last + (uint32_t)((int32_t)(at - last * 2) >> 1);
-    TIMER0_CC0 = count;
-    TIMER0_COMPARE0 = 0;
-    if ((int32_t)(count - port_count()) < 2) irq_pend(PORT_IRQ_TIMER);
+/* Below 2^16 us, 2 at least. */
+static inline void port_wake_in(uint32_t us) {
+    TIMER1_CAPTURE1 = 1;
+    TIMER1_CC0 = (TIMER1_CC1 + us) & 0xffff;
 }
 
 typedef struct port_word {
@@ -81,14 +64,6 @@ static inline port_word_t port_word(uint32_t mask, uint32_t value) {
 /* Not by OUTSET and OUTCLR, which would be two moments. */
 static inline void port_write(port_word_t word) {
     GPIO_OUT = (GPIO_OUT & ~word.mask) | word.value;
-}
-
-static inline uint32_t port_level(uint32_t pins) {
-    return port_spread[(pins ^ port.invert) & PORT_ALL_PINS];
-}
-
-static inline void port_put(uint32_t level) {
-    GPIO_OUT = (GPIO_OUT & ~PORT_OUT) | level;
 }
 
 #define PORT_UART_NONE UINT32_MAX

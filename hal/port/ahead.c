@@ -16,11 +16,15 @@ static inline bool in_planner(void) {
     return ahead.planning && exception() == PENDSV;
 }
 
-/* Words that fit in one piece behind the newest; less than 2: none. */
-static uint32_t room(void) {
-    const uint32_t head = ahead.head, free = AHEAD_EDGES - (head - ahead.tail), in_line = AHEAD_EDGES + 1 - SLOT(head);
-    uint32_t n = free < in_line ? free : in_line;
-    return n < AHEAD_BATCH ? n : AHEAD_BATCH;
+/* There is no room for a batch. */
+static inline bool is_full(void) {
+    return ahead.head - ahead.tail > AHEAD_EDGES - AHEAD_BATCH;
+}
+
+/* Words that fit in one piece behind the newest, 2 at least. Not when it is full. */
+static inline uint32_t room(void) {
+    const uint32_t in_line = AHEAD_EDGES + 1 - SLOT(ahead.head);
+    return AHEAD_BATCH < in_line ? AHEAD_BATCH : in_line;
 }
 
 static uint32_t locked_now(void) {
@@ -45,19 +49,24 @@ bool hal_edges_left(void) {
     return ahead.head == ahead.tail && ahead.newest + ahead.skew - locked_now() - 1 > 2 * AHEAD_WINDOW;
 }
 
+/* Interrupts are off as shortly as can be: the player's may be due. */
 void hal_edges_put(uint32_t edges, uint32_t first_at, uint32_t last_at) {
-    uint32_t *first = &ahead.ring[SLOT(ahead.head)];
+    const uint32_t head = ahead.head, slot = SLOT(head);
+    uint32_t *first = &ahead.ring[slot];
+    *first = hal_edge(*first & HAL_EDGE_PINS, first_at - ahead.newest);
+    if (slot + edges > AHEAD_EDGES) ahead.ring[0] = ahead.ring[AHEAD_EDGES];
     uint32_t state = irq_lock();
     if (!ahead.dropped) {
         player_refresh();
-        if (ahead.head == ahead.tail) ahead.newest = player_begin(first_at + ahead.skew) - ahead.skew;
-        *first = hal_edge(*first & HAL_EDGE_PINS, first_at - ahead.newest);
-        if (SLOT(ahead.head) + edges > AHEAD_EDGES) ahead.ring[0] = ahead.ring[AHEAD_EDGES];
+        if (head == ahead.tail) {
+            const uint32_t from = player_begin(first_at + ahead.skew) - ahead.skew;
+            *first = hal_edge(*first & HAL_EDGE_PINS, first_at - from);
+        }
         ahead.newest = last_at;
-        ahead.head += edges;
+        ahead.head = head + edges;
     }
     irq_unlock(state);
-    player_look();
+    player_fed();
 }
 
 /* The short way for those who stop the machine, and for what is done by hand. */
@@ -111,7 +120,7 @@ void ahead_plan_isr(void) {
     const uint32_t now = locked_now();
     bool full = false;
     while (ahead.armed && (int32_t)(ahead.plan + ahead.skew - now) < AHEAD_WINDOW) {
-        full = room() < 2;
+        full = is_full();
         if (full) break;
         horizon = now + AHEAD_WINDOW - ahead.skew;
         ahead.armed = false;
@@ -121,5 +130,5 @@ void ahead_plan_isr(void) {
         ahead.dropped = false;
     }
     ahead.wake = wake_at(now, full);
-    player_look();
+    player_wake();
 }

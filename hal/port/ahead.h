@@ -5,7 +5,8 @@
  *
  * PendSV computes the next edges, a batch at a time; it may take as long as it likes as long as it keeps up in the
  * mean. The player has a higher priority, or is hardware, and does nothing but write edges that are ready. There are
- * two: ahead_timer.c, an interrupt, and the RP2040's, a state machine (hal/rp2040/player.c).
+ * three: ahead_timer.c, an interrupt; the nRF51's, which is another; and the RP2040's, a state machine (player.c of
+ * both ports).
  *
  * This file defines hal_now, hal_edges, hal_pins_write, hal_timer_arm and hal_timer_cancel for all Cortex-M ports. To
  * stepgen_isr every deadline is served at its tick exactly, so its edges are those of the simulator. When the chip
@@ -64,8 +65,10 @@ void player_isr(void);
 /* The ring is empty, and the next word put in is to leave at that tick, real time. Returns from when its ticks count.
  */
 uint32_t player_begin(uint32_t at);
-/* There are more words, or ahead.wake has changed. Both: context planner. */
-void player_look(void);
+/* There are more words. */
+void player_fed(void);
+/* ahead.wake has changed. All three: context planner. */
+void player_wake(void);
 /* Brings ahead.tail up to date. Interrupts off. */
 void player_refresh(void);
 /* The ring was emptied: nothing more leaves. Interrupts off. */

@@ -8,7 +8,7 @@
  *                out pins, 6      x + 3 ticks after the edge before
  *
  * When the words run out it waits for the next, and all that follows is so much later: the plan slips. After a pause it
- * is started anew, by the clock (player_look), so it counts from a known tick.
+ * is started anew, by the clock (player_fed), so it counts from a known tick.
  *
  * State machine 1 never runs: it executes what the processor tells it, to write the pins by hand. Pins that are active
  * low are turned round behind the machines, at the pads. */
@@ -115,7 +115,7 @@ uint32_t player_begin(uint32_t at) {
     return from;
 }
 
-void player_look(void) {
+void player_fed(void) {
     const uint32_t state = irq_lock();
     feed();
     if (p.starting) {
@@ -127,6 +127,11 @@ void player_look(void) {
         REG(PIO_CTRL + SET) = CLOCK_AGAIN | RUNNING;
     }
     player_refresh();
+    irq_unlock(state);
+}
+
+void player_wake(void) {
+    const uint32_t state = irq_lock();
     port_alarm(ahead.wake);
     irq_unlock(state);
 }

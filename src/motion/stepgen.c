@@ -32,54 +32,57 @@
 #define ONE_Q16 (1u << 16)
 #define NEVER INT32_MAX
 
+/* What is used most comes first: a Cortex-M0 reaches bytes up to 31 and words up to 124 bytes into a structure. */
 typedef struct motor {
+    bool high;
+    bool turn;         /* DIR must change before the next step */
+    bool forward;      /* of the steps to come */
+    uint32_t left;     /* pulses of this piece still to begin */
     uint64_t next_q32; /* tick of the next pulse */
     uint64_t interval_q32;
     int64_t add_q32;
-    uint32_t left; /* pulses of this piece still to begin */
     uint32_t fall; /* tick at which the pulse ends */
-    bool high;
-    bool turn;     /* DIR must change before the next step */
-    bool forward;  /* of the steps to come */
-    int32_t moved; /* counted pulses */
+    int32_t goal;  /* position after this piece */
 } motor_t;
 
 static struct {
-    stepgen_piece_t *queue;
-    uint32_t mask;
-    uint32_t head; /* next slot to fill: written by the main loop only */
-    uint32_t tail; /* next slot to take: written by the interrupt only */
-    motor_t motor[2];
-    uint32_t now; /* the armed deadline */
-    uint32_t end; /* where the taken piece ends and the next begins */
-    uint32_t pulse, setup, slack;
-    uint32_t begun; /* when the motion, or the one before, began: the grid's origin */
-    uint8_t pins;   /* pen and enable of the taken piece */
-    bool set_pins;  /* to be written at set_at */
-    uint32_t set_at;
+    bool next_known;
+    bool set_pins; /* to be written at set_at */
     bool rest;
     bool running; /* written by the main loop only while it is false */
     bool halted;
-    uint32_t starved, late;
     /* Hold and resume. */
-    uint32_t speed; /* of the taken piece at its end */
-    int8_t slope;
     bool want_hold; /* written by the main loop only */
     bool stop;      /* when held, halt: written by the main loop only */
     bool hold;      /* the motion is being held */
     bool asked;     /* hold will follow want_hold at asked_at */
-    uint32_t asked_at;
     bool stretched; /* time runs slower than planned */
     bool parked;    /* stretched for ever, and no deadline is armed */
-    uint32_t pace;  /* speed at the end of the slice, as speed is */
-    uint32_t slice_end;
-    uint32_t rate_q16, stretch_q16; /* planned time per time, and its inverse */
+    int8_t slope;
+    uint8_t pins; /* pen and enable of the taken piece */
+    motor_t motor[2];
     /* Edges. */
+    uint32_t now;   /* the armed deadline */
     uint32_t level; /* of all pins, after the newest */
     uint32_t edge;  /* when that was */
     hal_edges_t ahead;
     uint32_t made; /* of ahead.room */
     uint32_t first;
+    uint32_t next; /* deadline, if known */
+    uint32_t pulse, setup, slack;
+    stepgen_piece_t *queue;
+    uint32_t mask;
+    uint32_t head;  /* next slot to fill: written by the main loop only */
+    uint32_t tail;  /* next slot to take: written by the interrupt only */
+    uint32_t end;   /* where the taken piece ends and the next begins */
+    uint32_t begun; /* when the motion, or the one before, began: the grid's origin */
+    uint32_t set_at;
+    uint32_t speed; /* of the taken piece at its end */
+    uint32_t asked_at;
+    uint32_t pace; /* speed at the end of the slice, as speed is */
+    uint32_t slice_end;
+    uint32_t rate_q16, stretch_q16; /* planned time per time, and its inverse */
+    uint32_t starved, late;
 } g;
 
 static const uint8_t STEP_PIN[2] = {HAL_X_STEP, HAL_Y_STEP};
@@ -117,7 +120,7 @@ static inline void begin_pulse(motor_t *a, uint32_t now) {
 /* Begins or ends the motor's pulse, or turns it round, if that is due by `near`; a turn by `turn`. */
 static uint32_t run_motor(int m, uint32_t level, uint32_t near, uint32_t turn, uint32_t actual) {
     motor_t *a = &g.motor[m];
-    uint32_t at;
+    uint32_t at = 0;
     if (!motor_due(a, &at) || hal_before(a->turn && !a->high ? turn : near, at)) return level;
     if (a->high) {
         a->high = false;
@@ -128,14 +131,13 @@ static uint32_t run_motor(int m, uint32_t level, uint32_t near, uint32_t turn, u
         return a->forward ? level | DIR_PIN[m] : level & ~DIR_PIN[m];
     }
     begin_pulse(a, actual);
-    a->moved += a->forward ? 1 : -1;
     return level | STEP_PIN[m];
 }
 
 /* What is due at g.now, and if there is something, what comes right after it. Motors that turn round at about the same
  * time do so together: what counts is that DIR stands before the step. */
 static inline void serve(uint32_t actual) {
-    uint32_t at, level = g.level;
+    uint32_t at = 0, level = g.level;
     bool due = g.set_pins && !hal_before(g.now, g.set_at), turns = false;
     for (int m = 0; m < 2; m++) {
         const motor_t *a = &g.motor[m];
@@ -158,6 +160,7 @@ static inline void take_axis(int m, const stepgen_axis_piece_t *p) {
     motor_t *a = &g.motor[m];
     if (p->count == 0) return;
     a->left = p->count;
+    a->goal += p->forward ? (int32_t)p->count : -(int32_t)p->count;
     a->next_q32 = ((uint64_t)g.end << 32) + p->first_q32;
     a->interval_q32 = p->interval_q32;
     a->add_q32 = p->add_q32;
@@ -326,16 +329,6 @@ static inline uint32_t earlier_of(uint32_t a, uint32_t b) {
     return hal_before(b, a) ? b : a;
 }
 
-/* Up to when all deadlines are pulses. */
-static uint32_t plain_until(void) {
-    uint32_t until = g.ahead.until;
-    for (int m = 0; m < 2; m++) {
-        const motor_t *a = &g.motor[m];
-        if (a->left && a->turn) until = earlier_of(until, (uint32_t)(a->next_q32 >> 32) - g.setup - NEAR_TICKS);
-    }
-    return g.asked ? earlier_of(until, g.asked_at) : until;
-}
-
 static inline uint32_t pulse_at(const motor_t *a, uint32_t otherwise) {
     return a->high ? a->fall : a->left ? (uint32_t)(a->next_q32 >> 32) : otherwise;
 }
@@ -387,33 +380,60 @@ static inline uint32_t slowed(const motor_t *x, const motor_t *y, uint32_t now, 
     return in + 1;
 }
 
+/* Up to when all deadlines are pulses, if there are others. */
+static inline bool plain_until(const motor_t *a, uint32_t *until) {
+    if (!a->turn || !a->left) return false;
+    *until = earlier_of(*until, (uint32_t)(a->next_q32 >> 32) - g.setup - NEAR_TICKS);
+    return true;
+}
+
+/* The other end of the motor's pulse: when it is wanted then. Whether a pulse is under way is seen in the level. */
+static inline uint32_t toggle_plain(motor_t *a, bool high, uint32_t now, uint32_t far) {
+    if (high) return a->left ? (uint32_t)(a->next_q32 >> 32) : far;
+    a->left--;
+    a->next_q32 += a->interval_q32;
+    a->interval_q32 += (uint64_t)a->add_q32;
+    return a->fall = now + g.pulse;
+}
+
 /* Pulses of the taken piece, to its last or as long as there is room for what they do to the pins. Both motors' next
- * deadlines stay in registers. */
-static uint32_t *plain_pulses(uint32_t *word, const uint32_t *end, uint32_t *first) {
+ * deadlines stay in registers. The first comes after g.now, or is it: at_once. False: there was none. */
+static bool plain_pulses(bool at_once) {
     motor_t *const x = &g.motor[0], *const y = &g.motor[1];
-    const uint32_t until = plain_until(), far = g.now + FAR_TICKS;
-    uint32_t x_at = pulse_at(x, far), y_at = pulse_at(y, far), edge = g.edge, level = g.level;
-    const uint32_t *const from = word;
+    const uint32_t far = g.now + FAR_TICKS;
+    uint32_t x_at = pulse_at(x, far), y_at = pulse_at(y, far), edge = g.edge, level = g.level, until = g.ahead.until;
+    const uint32_t first = earlier_of(x_at, y_at);
+    if (at_once && first != g.now) return false;
+    bool turns = plain_until(x, &until);
+    turns |= plain_until(y, &until);
+    if (g.asked) until = earlier_of(until, g.asked_at);
+    uint32_t *const from = &g.ahead.word[g.made], *word = from;
+    const uint32_t *end = x->left | y->left ? &g.ahead.word[g.ahead.room - 1] : word + 1;
     while (word < end) {
-        const uint32_t now = earlier_of(x_at, y_at), near = now + NEAR_TICKS;
-        if (!hal_before(now, until) || (int32_t)(now - edge) < (int32_t)HAL_EDGE_GAP) break;
+        const uint32_t now = earlier_of(x_at, y_at), near = now + NEAR_TICKS, ticks = now - edge;
+        if (!hal_before(now, until) || (int32_t)ticks < (int32_t)HAL_EDGE_GAP) break;
         if (!hal_before(near, x_at)) {
+            x_at = toggle_plain(x, level & HAL_X_STEP, now, far);
             level ^= HAL_X_STEP;
-            x_at = toggle(x, now, far);
         }
         if (!hal_before(near, y_at)) {
+            y_at = toggle_plain(y, level & HAL_Y_STEP, now, far);
             level ^= HAL_Y_STEP;
-            y_at = toggle(y, now, far);
         }
-        if (word == from) *first = now;
-        *word++ = hal_edge(level, now - edge);
+        *word++ = hal_edge(level, ticks);
         edge = now;
         if (!(x->left | y->left)) break;
     }
-    if (word == from) return word;
+    if (word == from) return false;
+    x->high = level & HAL_X_STEP;
+    y->high = level & HAL_Y_STEP;
+    if (g.made == 0) g.first = first;
+    g.made += (uint32_t)(word - from);
     g.now = g.edge = edge;
     g.level = level;
-    return word;
+    g.next = earlier_of(x_at, y_at);
+    g.next_known = !turns && (x->left | y->left);
+    return true;
 }
 
 static inline void toggle_slowed(motor_t *a, uint32_t step, uint32_t now) {
@@ -423,10 +443,10 @@ static inline void toggle_slowed(motor_t *a, uint32_t step, uint32_t now) {
 }
 
 /* The same in a slice of stretched time. */
-static uint32_t *slowed_pulses(uint32_t *word, const uint32_t *end, uint32_t *first) {
+static bool slowed_pulses(void) {
     motor_t *const x = &g.motor[0], *const y = &g.motor[1];
-    const uint32_t *const from = word;
-    while (word < end && (x->left | y->left)) {
+    const uint32_t made = g.made;
+    while (g.made + 1 < g.ahead.room && (x->left | y->left)) {
         uint32_t off, in = slowed(x, y, g.now, &off);
         if (in-- == 0) break;
         if (in < HAL_EDGE_GAP) in = HAL_EDGE_GAP;
@@ -435,25 +455,37 @@ static uint32_t *slowed_pulses(uint32_t *word, const uint32_t *end, uint32_t *fi
         put_off(off);
         toggle_slowed(x, HAL_X_STEP, now);
         toggle_slowed(y, HAL_Y_STEP, now);
-        if (word == from) *first = now;
-        *word++ = hal_edge(g.level, in);
+        if (g.made == 0) g.first = now;
+        g.ahead.word[g.made++] = hal_edge(g.level, in);
         g.now = g.edge = now;
     }
-    return word;
+    return g.made != made;
 }
 
-static void pulses(bool slow) {
-    const uint32_t left[2] = {g.motor[0].left, g.motor[1].left};
-    uint32_t *const from = &g.ahead.word[g.made], *const end = &g.ahead.word[g.ahead.room - 1], first = 0;
-    uint32_t *const word = slow ? slowed_pulses(from, end, &first) : plain_pulses(from, end, &first);
-    if (word == from) return;
-    if (g.made == 0) g.first = first;
-    g.made += (uint32_t)(word - from);
-    for (int m = 0; m < 2; m++) {
-        motor_t *a = &g.motor[m];
-        const int32_t moved = (int32_t)(left[m] - a->left);
-        a->moved += a->forward ? moved : -moved;
+/* From g.now on, through what is left of the piece and those behind it. at_once: what is due at g.now has not been
+ * done. False: it led nowhere. */
+static bool short_way(bool at_once) {
+    bool any = false;
+    g.next_known = false;
+    while (g.made + 1 < g.ahead.room) {
+        const bool plain = is_plain();
+        if (!plain && (at_once || !is_slowed())) break;
+        if (!(plain ? plain_pulses(at_once) : slowed_pulses())) break;
+        at_once = false;
+        any = true;
+        if (!piece_done()) break;
+        g.next_known = false;
+        take_due();
     }
+    return any;
+}
+
+/* The deadline that follows, where the short way came by it and nothing is asked for. */
+static bool next_pulse(void) {
+    if (!g.next_known || g.asked || __atomic_load_n(&g.want_hold, __ATOMIC_ACQUIRE) != g.hold) return false;
+    if ((int32_t)(g.next - g.edge) < (int32_t)HAL_EDGE_GAP) return false;
+    g.now = g.next;
+    return true;
 }
 
 /* ---- the long way ---- */
@@ -516,17 +548,12 @@ void stepgen_isr(void) {
     g.made = 0;
     bool more;
     do {
-        serve(actual);
-        take_due();
-        while (g.made + 1 < g.ahead.room) {
-            const uint32_t made = g.made;
-            const bool plain = is_plain();
-            if (!plain && !is_slowed()) break;
-            pulses(!plain);
-            if (g.made == made || !piece_done()) break;
+        if (actual != g.now || !short_way(true)) {
+            serve(actual);
             take_due();
+            (void)short_way(false);
         }
-        more = next_deadline();
+        more = next_pulse() || next_deadline();
         actual = g.now;
     } while (more && g.made + 1 < g.ahead.room && hal_before(g.now, g.ahead.until));
     if (g.made) hal_edges_put(g.made, g.first, g.edge);
@@ -590,8 +617,15 @@ uint32_t stepgen_room(void) {
 bool stepgen_idle(void) {
     return g.halted || (!__atomic_load_n(&g.running, __ATOMIC_ACQUIRE) && g.head == g.tail && hal_edges_left());
 }
+/* The interrupt may take a piece in between: again, then. */
 int32_t stepgen_position(int motor) {
-    return g.motor[motor].moved;
+    const motor_t *a = &g.motor[motor];
+    for (;;) {
+        const int32_t goal = __atomic_load_n(&a->goal, __ATOMIC_ACQUIRE);
+        const int32_t left = (int32_t)__atomic_load_n(&a->left, __ATOMIC_ACQUIRE);
+        const bool forward = __atomic_load_n(&a->forward, __ATOMIC_ACQUIRE);
+        if (goal == __atomic_load_n(&a->goal, __ATOMIC_ACQUIRE)) return forward ? goal - left : goal + left;
+    }
 }
 uint32_t stepgen_starved(void) {
     return g.starved;
@@ -611,7 +645,7 @@ void stepgen_set_pins(uint32_t mask, uint32_t value) {
 }
 
 void stepgen_set_position(int motor, int32_t steps) {
-    g.motor[motor].moved = steps;
+    g.motor[motor].goal = steps;
 }
 
 /* A point of the grid that began when the machine was parked. */

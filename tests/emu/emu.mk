@@ -8,7 +8,7 @@ $(EMUDIR)/obj-$1/firmware/main.o: CPPFLAGS += -Dmain=firmware_main -Wno-missing-
 $(EMUDIR)/obj-$1/%.o: %.c firmware/boards.mk
 	@mkdir -p $$(@D)
 	$$(call say,CC,$1 $$<)
-	$$(Q)$(CC) $(CFLAGS) $(EMU_ABI) $$(CPPFLAGS) $$(addprefix -D,$$(CONFIG_$1)) -c $$< -o $$@
+	$$(Q)$(CC) $(CFLAGS) $(EMU_ABI) $$(CPPFLAGS) $$(addprefix -D,$$(CONFIG_$1)) $(UNSET:%=-U%) -c $$< -o $$@
 $(EMUDIR)/sim-$1: $(patsubst %.c,$(EMUDIR)/obj-$1/%.o,firmware/main.c tests/emu/sim_main.c $(CORE_SRC) $(SIM_SRC))
 	$$(call say,LD,$$@)
 	$$(Q)$(CC) $(EMU_ABI) $$^ -o $$@
