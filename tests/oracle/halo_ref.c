@@ -129,7 +129,8 @@ static near_place_t place(const halo_edge_t *a, const halo_edge_t *b, int end) {
     const halo_point_t *p = end ? &a->q : &a->p;
     const real dx = (real)b->q.x - b->p.x, dy = (real)b->q.y - b->p.y, dz = (real)b->q.z - b->p.z;
     const real square = dx * dx + dy * dy;
-    real t = square > 0 ? (((real)p->x - b->p.x) * dx + ((real)p->y - b->p.y) * dy) / square : 0;
+    /* an edge seen end-on counts with its front */
+    real t = square > 0 ? (((real)p->x - b->p.x) * dx + ((real)p->y - b->p.y) * dy) / square : dz > 0;
     int end_b = t <= 0 ? 0 : t >= 1 ? 1 : -1;
     t = t < 0 ? 0 : t > 1 ? 1 : t;
     near_place_t n = {hypotl(p->x - (b->p.x + t * dx), p->y - (b->p.y + t * dy)), p->z - (b->p.z + t * dz),
