@@ -6,6 +6,7 @@
 #include "hidden/convex.h"
 #include "hidden/halo.h"
 #include "hidden/once.h"
+#include "hidden/seams.h"
 #include "hidden/wires.h"
 #include "scene/surface_mesh.h"
 #include "view/dash.h"
@@ -120,8 +121,29 @@ static int put_together(picture_t *p) {
     return err;
 }
 
+/* Only the convex kernel draws them: wire frames show what is behind, and the area sort takes faces apart. */
+static int add_seams(picture_t *p) {
+#if CONFIG_AREA
+    const settings_t *set = p->plot->settings;
+    if (!set->seams || (set->hidden != HIDDEN_PERIMETER && set->hidden != HIDDEN_CONVEX)) return 0;
+    const arena_t before = p->arena;
+    const size_t left = arena_left(&p->arena), bytes = left > 16 ? left - 16 : 0;
+    size_t kept = 0;
+    void *mem = arena_take(&p->arena, bytes);
+    int err = mem ? seams_add(&p->solid, mem, bytes, &kept) : ERR_FULL;
+    p->arena = before;
+    if (!err && kept > 0) arena_take(&p->arena, kept); /* the same place */
+    p->solid.bytes += kept;
+    return err;
+#else
+    (void)p;
+    return 0;
+#endif
+}
+
 static int build(picture_t *p) {
     int err = put_together(p);
+    if (!err) err = add_seams(p);
     if (err) return err;
     void *place = arena_take(&p->arena, SOLID_MAP_BYTES(p->solid.nv));
     if (!place) return ERR_FULL;

@@ -51,6 +51,7 @@ static const topic_t topics[] = {
      "set hidden3d [convex] [dashed]       solids; dashed: hidden parts are drawn with dashes\n"
 #if CONFIG_AREA
      "set hidden3d area [outline]          solids with tones (help hatch); outline: silhouettes only (help crease)\n"
+     "set hidden3d [convex] [...] seams    with the lines in which solids cut through each other\n"
 #endif
      "set hidden3d horizon [infinite]      profiles across the view (a ridgeline drawing); infinite: one side only\n"
      "set hidden3d halo                    every line is drawn, with a gap where it passes behind another: help halo\n"

@@ -249,7 +249,7 @@ int set_unset_command(session_t *s, lexer_t *lx) {
         set->hidden = HIDDEN_NONE;
         set->dashed = false;
 #if CONFIG_AREA
-        set->outline = false;
+        set->outline = set->seams = false;
 #endif
         return 0;
     case SET_ISOSAMPLES:

@@ -129,7 +129,7 @@ int set_hidden3d(session_t *s, lexer_t *lx) {
         lexer_next(lx);
         mode = (enum hidden_mode)solids[word].id;
     } else if (!lexer_is_almost(lx, "dash$ed") && !lexer_is_almost(lx, "out$line") &&
-               !lexer_is_almost(lx, "silh$ouette")) {
+               !lexer_is_almost(lx, "silh$ouette") && !lexer_is_almost(lx, "seam$s")) {
         for (int i; (i = words_find(taken, lx)) >= 0;) {
             lexer_next(lx);
             if (taken[i].id == 0) continue;
@@ -143,16 +143,19 @@ int set_hidden3d(session_t *s, lexer_t *lx) {
 #if CONFIG_AREA
     bool outline = lexer_is_almost(lx, "out$line") || lexer_is_almost(lx, "silh$ouette");
     if (outline) lexer_next(lx);
+    bool seams = lexer_is_almost(lx, "seam$s");
+    if (seams) lexer_next(lx);
 #endif
     if (!session_at_end(lx))
         return lexer_unexpected(lx, &s->error,
                                 "perimeter, horizon, convex, halo, area, none, dashed"
 #if CONFIG_AREA
-                                ", outline"
+                                ", outline, seams"
 #endif
                                 " expected");
 #if CONFIG_AREA
     s->settings.outline = outline;
+    s->settings.seams = seams;
 #endif
     s->settings.hidden = mode;
     s->settings.dashed = dashed;

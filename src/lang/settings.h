@@ -45,6 +45,7 @@ typedef struct settings {
     bool shadow;         /* set shadow on */
     bool shadow_outline; /* set shadow outline: their borders are lines */
     bool outline;        /* set hidden3d ... outline: of solids only silhouettes, and creases that `crease` asks for */
+    bool seams;          /* set hidden3d ... seams: where solids cut through each other there is a line */
     int32_t crease_mdeg; /* set crease A: for solids that say nothing else (mesh.h); 0: all edges */
     uint8_t pen[LINE_CLASSES]; /* set pen ...: 1 .. PENS_MAX */
 #endif

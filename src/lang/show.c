@@ -61,6 +61,7 @@ static void show_hidden(text_t *t, const settings_t *set) {
     if (set->dashed) text_add(t, " dashed");
 #if CONFIG_AREA
     if (set->outline) text_add(t, " outline");
+    if (set->seams) text_add(t, " seams");
 #endif
     text_add(t, "\n");
 }

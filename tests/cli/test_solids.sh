@@ -138,6 +138,32 @@ an_outline_is_closed() {
     done
 }
 
+# Bodies pushed into each other: with seams no line ends in the open, without they do. Dashed, hidden seams too.
+bodies_that_meet_have_seams() {
+    cube >a.obj
+    awk 'BEGIN { split("0 0 2 0 2 .7 .7 .7 .7 2 0 2", p, " "); for (h = 0; h < 2; h++) for (i = 1; i < 12; i += 2) print "v", p[i], p[i + 1], h
+             print "f 6 5 4 3 2 1\nf 7 8 9 10 11 12"; for (i = 0; i < 6; i++) print "f", i + 1, (i + 1) % 6 + 1, (i + 1) % 6 + 7, i + 7 }' >l.obj
+    for view in 60,30 35,70 'from 5,-4,3'; do
+        for how in 'seams' 'convex'; do
+            printf "set view $view; set hidden3d $how\nsplot 'a.obj', 'a.obj' rotate 20,30,40 translate .4,.3,.5, 'l.obj' rotate 70,0,20 translate .8,.5,.1\n" >a.gp
+            ridgeline plot a.gp -o $how.seg
+            awk 'NR > 1 { x[n] = $1; y[n] = $2; a[n] = $3; b[n++] = $4 }
+                 function open(u, v, i,  k, dx, dy, t) { for (k = 0; k < n; k++) { if (k == i) continue
+                     dx = a[k] - x[k]; dy = b[k] - y[k]; t = ((u - x[k]) * dx + (v - y[k]) * dy) / (dx * dx + dy * dy); t = t < 0 ? 0 : t > 1 ? 1 : t
+                     if ((u - x[k] - t * dx)^2 + (v - y[k] - t * dy)^2 < .0004) return 0 } return 1 }
+                 END { for (i = 0; i < n; i++) loose += open(x[i], y[i], i) + open(a[i], b[i], i); print loose + 0 }' n=0 $how.seg >$how.loose
+        done
+        [ "$(cat seams.loose)" -eq 0 ]
+        [ "$(cat convex.loose)" -gt 0 ]
+    done
+    sed -i 's/convex/dashed seams/' a.gp
+    ridgeline plot a.gp -o d.seg
+    awk "BEGIN { exit !($(ink d.seg) > $(ink seams.seg) * 1.1) }"
+    printf "set hidden3d dashed seams; show hidden3d; unset hidden3d; show hidden3d\n" >b.gp
+    ridgeline plot b.gp -o b.svg >out 2>&1 || true
+    expect_text out 'set hidden3d perimeter dashed seams' 'unset hidden3d'
+}
+
 # One body in a knot of 5,760 triangles, 2,500 angles of concave faces, a field of 576 cogwheels (21,888 faces, of which the largest have
 # 36 corners): held against rays at random places, in both kinds of views.
 thousands_of_concave_parts() {
@@ -169,4 +195,4 @@ thousands_of_concave_parts() {
 
 run_tests a_surface_of_facets_is_the_surface formats_are_the_same_body a_binary_stl_is_read what_is_wrong_is_said \
     rows_as_they_are_typed hidden_parts_are_dashed what_falls_together_is_drawn_once an_outline_is_closed \
-    thousands_of_concave_parts
+    bodies_that_meet_have_seams thousands_of_concave_parts
