@@ -19,12 +19,21 @@ enum { FILES_MAX = 16 };
 #define DATA_BYTES_MAX ((size_t)8 << 30)
 #define DATA_BYTES_MIN ((size_t)1 << 20)
 
+/* A data block. */
+typedef struct block {
+    struct block *next;
+    char name[40];
+    char *text;
+    size_t len, room;
+} block_t;
+
 static struct {
     session_t session;
     job_t *job;
     bool waits;
     char folder[PATH_MAX]; /* of the scene, with its slash, or empty */
     FILE *file[FILES_MAX];
+    block_t *block; /* all of them */
 } script;
 
 static void port_print(void *ctx, const char *text) {
@@ -40,12 +49,47 @@ static void port_warn(void *ctx, const char *text) {
     fputs(text, stderr);
 }
 
+static block_t *find_block(const char *name) {
+    block_t *b = script.block;
+    while (b && strcmp(b->name, name)) b = b->next;
+    return b;
+}
+
+static int port_keep(void *ctx, const char *name, const char *text, size_t n) {
+    (void)ctx;
+    block_t *b = find_block(name);
+    if (!b) {
+        b = calloc(1, sizeof *b);
+        if (!b) return ERR_FULL;
+        snprintf(b->name, sizeof b->name, "%s", name);
+        b->next = script.block;
+        script.block = b;
+    }
+    if (!text) b->len = 0;
+    if (b->len + n >= b->room) {
+        const size_t room = 2 * (b->len + n) + 256;
+        char *more = realloc(b->text, room);
+        if (!more) return ERR_FULL;
+        b->text = more;
+        b->room = room;
+    }
+    if (text) memcpy(b->text + b->len, text, n);
+    b->len += text ? n : 0;
+    return 0;
+}
+
+static FILE *open_file(const char *name) {
+    const block_t *b = name[0] == '$' ? find_block(name) : NULL;
+    if (b) return b->len ? fmemopen(b->text, b->len, "rb") : fopen("/dev/null", "rb");
+    return fopen(name, "rb");
+}
+
 static int port_open(void *ctx, const char *name) {
     (void)ctx;
     int handle = 0;
     while (handle < FILES_MAX && script.file[handle]) handle++;
     if (handle == FILES_MAX) return ERR_FULL;
-    FILE *f = fopen(name, "rb");
+    FILE *f = open_file(name);
     if (!f && name[0] != '/' && script.folder[0]) {
         char path[PATH_MAX];
         int n = snprintf(path, sizeof path, "%s%s", script.folder, name);
@@ -114,6 +158,7 @@ void script_begin(job_t *job, bool waits) {
         .open = port_open,
         .read = port_read,
         .close = port_close,
+        .keep = port_keep,
         .pause = port_pause,
         .plot = port_plot,
     };

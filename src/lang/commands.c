@@ -117,8 +117,9 @@ static int named_command(session_t *s, lexer_t *lx, int index) {
 
 int command_execute(session_t *s, lexer_t *lx) {
     if (lexer_accept(lx, '?')) return help_command(s, lx);
-    if (lx->tok.kind == '$')
-        return session_fail(s, lx, ERR_UNSUPPORTED, "data blocks are not supported; use '-' or a file");
+#if CONFIG_LOAD_DEPTH
+    if (lx->tok.kind == '$') return block_command(s, lx);
+#endif
     int defined = expr_define(&s->lang, lx, &s->error);
     if (defined < 0) return defined;
     if (defined) return session_expect_end(s, lx);

@@ -136,7 +136,13 @@ static int read_all(session_t *s, session_source_t *src, int handle) {
 
 int plot_data_read(session_t *s, session_source_t *src) {
     char *name = s->frame_name[0];
-    lexer_string(&src->name, name, CONFIG_NAME_MAX + 1);
+#if CONFIG_LOAD_DEPTH
+    if (src->name.tok.kind == '$') {
+        lexer_t lx = src->name;
+        block_name(s, &lx, name, CONFIG_NAME_MAX + 1);
+    } else
+#endif
+        lexer_string(&src->name, name, CONFIG_NAME_MAX + 1);
     int handle = s->port->open(s->port->ctx, name);
     if (handle < 0)
         return lang_error_set_name(&s->error, handle, src->column, "cannot read the data file", name, strlen(name));

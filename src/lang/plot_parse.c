@@ -121,8 +121,16 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
         src->title_len = (int32_t)(src->name.tok.len);
         if (!err) err = plot_options_data(s, lx, src);
         if (!err) err = moves(s, lx, src);
+#if CONFIG_LOAD_DEPTH
     } else if (lx->tok.kind == '$') {
-        return session_fail(s, lx, ERR_UNSUPPORTED, "data blocks are not supported; use '-' or a file");
+        src->spec.flat = kind == PLOT_CURVES;
+        src->kind = SOURCE_FILE;
+        err = block_name(s, lx, s->frame_name[0], CONFIG_NAME_MAX + 1);
+        src->title_len = (int32_t)(lexer_text(lx) - src->title);
+        while (src->title_len > 0 && src->title[src->title_len - 1] == ' ') src->title_len--;
+        if (!err) err = plot_options_data(s, lx, src);
+        if (!err) err = moves(s, lx, src);
+#endif
     } else if (lexer_is_name(lx, "for") || lexer_is_name(lx, "keyentry") || lexer_is_name(lx, "sample")) {
         return lang_error_set_name(&s->error, ERR_UNSUPPORTED, lexer_column(lx), "not supported", lexer_text(lx),
                                    lx->tok.len);

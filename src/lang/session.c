@@ -6,8 +6,18 @@
 #include "lang/session.h"
 #include "lang/session_parts.h"
 
+#define NO_END "the data block has no end"
+
 session_frame_t *session_top(session_t *s) {
     return &s->frame[CONFIG_LOAD_DEPTH ? s->frames - 1 : 0];
+}
+
+static bool in_block(const session_t *s) {
+#if CONFIG_LOAD_DEPTH
+    return s->in_block;
+#else
+    return (void)s, false;
+#endif
 }
 
 static void forget_line(session_frame_t *f) {
@@ -41,7 +51,7 @@ const settings_t *session_settings(const session_t *s) {
 
 enum session_state session_state(const session_t *s) {
     if (s->quit) return SESSION_QUIT;
-    if (s->plot.waiting) return SESSION_DATA;
+    if (s->plot.waiting || in_block(s)) return SESSION_DATA;
     return s->frame[0].more ? SESSION_MORE : SESSION_READY;
 }
 
@@ -55,6 +65,9 @@ void session_cancel(session_t *s) {
     forget_line(&s->frame[0]);
     if (s->in_last) s->last[s->last_len] = '\0'; /* what replot added is wrong */
     s->plot.waiting = false;
+#if CONFIG_LOAD_DEPTH
+    s->in_block = false;
+#endif
     s->in_last = false;
 }
 
@@ -170,6 +183,26 @@ static int file_data(session_t *s, session_frame_t *f) {
     return 0;
 }
 
+#if CONFIG_LOAD_DEPTH
+/* One line of a data block in a loaded file. */
+static int file_block(session_t *s, session_frame_t *f) {
+    const char *text = NULL;
+    int n;
+    forget_line(f);
+    f->first_line = ++f->line;
+    while ((n = some_of_line(s, f, &text)) > 0) {
+        const bool ended = text[n - 1] == '\n';
+        int err = append(s, f, text, (size_t)(n - ended));
+        if (err) return err;
+        if (ended) break;
+    }
+    if (n == 0 && f->len == 0) return lang_error_set(&s->error, ERR_SYNTAX, 0, NO_END);
+    if (n >= 0) n = block_line(s, f->text, f->len);
+    forget_line(f);
+    return n;
+}
+#endif
+
 static int run(session_t *s) {
     for (;;) {
         session_frame_t *f = session_top(s);
@@ -182,6 +215,14 @@ static int run(session_t *s) {
         if (s->plot.waiting) {
             if (f->handle < 0) return 0;
             err = file_data(s, f);
+#if CONFIG_LOAD_DEPTH
+        } else if (s->in_block) {
+            if (f->handle < 0) {
+                forget_line(f);
+                return 0;
+            }
+            err = file_block(s, f);
+#endif
         } else if (f->lx.tok.kind == TOKEN_END) {
             if (f->handle < 0) {
                 forget_line(f);
@@ -226,6 +267,10 @@ int session_line(session_t *s, const char *text) {
         bool stopped;
         err = plot_feed(s, text, n, &stopped);
         if (!err && !stopped) err = plot_feed(s, "\n", 1, &stopped);
+#if CONFIG_LOAD_DEPTH
+    } else if (s->in_block) {
+        err = block_line(s, text, n);
+#endif
     } else {
         if (!f->more) {
             forget_line(f);
@@ -246,6 +291,7 @@ int session_end(session_t *s) {
     int err = 0;
     s->error = (lang_error_t){0};
     while (!err && s->plot.waiting) err = plot_feed_end(s);
+    if (!err && in_block(s)) err = lang_error_set(&s->error, ERR_SYNTAX, 0, NO_END);
     if (!err && f->more) {
         forget_line(f);
         err = lang_error_set(&s->error, ERR_SYNTAX, 0, "the last line is to be continued, but nothing follows");

@@ -22,7 +22,7 @@
 #include <stddef.h>
 
 /* What the host or board does for a session. Functions return 0 (or a count) or a negative error, which ends the
- * line and comes back from session_line(). None may be NULL. */
+ * line and comes back from session_line(). None but `keep` may be NULL. */
 typedef struct session_port {
     void *ctx;
     void (*print)(void *ctx, const char *text); /* what `print`, `show`, `help` say; contains its own newlines */
@@ -32,6 +32,9 @@ typedef struct session_port {
     /* Up to size bytes: how many, 0 at the end, or a negative error. */
     int (*read)(void *ctx, int handle, char *buf, int size);
     void (*close)(void *ctx, int handle);
+    /* Data blocks: opens `$name` as a file from then on. Text NULL: empties it; else adds n bytes to it. May be NULL.
+     */
+    int (*keep)(void *ctx, const char *name, const char *text, size_t n);
     /* pause: shows prompt (may be ""), waits ms milliseconds, or for Return when ms < 0. */
     int (*pause)(void *ctx, const char *prompt, int32_t ms);
     /* Draws. Called once for every splot, plot and replot. */
@@ -41,7 +44,7 @@ typedef struct session_port {
 enum session_state {
     SESSION_READY, /* the next line is a command */
     SESSION_MORE,  /* the last line ended in `\`: the next one continues it */
-    SESSION_DATA,  /* rows of inline data, up to a line `e` */
+    SESSION_DATA,  /* rows of inline data, up to a line `e`, or lines of a data block */
     SESSION_QUIT,  /* `quit` was executed: feed no more lines */
 };
 
@@ -99,6 +102,10 @@ typedef struct session {
     lang_t lang;
     lang_error_t error;                                                           /* of the last line that failed */
     uint8_t warned_command[WORDS_COMMAND_MAX / 8], warned_set[WORDS_SET_MAX / 8]; /* bits */
+#if CONFIG_LOAD_DEPTH
+    bool in_block;                 /* lines are those of a data block */
+    char block[32], block_end[32]; /* its name; the line that ends it */
+#endif
     bool quit;
     bool parametric;                   /* set parametric: expressions would mean something else */
     bool in_last;                      /* the error is in `last` (replot), not in the frame's line */

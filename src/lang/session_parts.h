@@ -78,6 +78,11 @@ int show_command(session_t *s, lexer_t *lx);
 void show_machine(session_t *s, text_t *t);
 int help_command(session_t *s, lexer_t *lx);
 
+/* block.c. `$name`, at its $, with the $ into out; `$name << END`; one physical line of the block, or its end */
+int block_name(session_t *s, lexer_t *lx, char *out, size_t size);
+int block_command(session_t *s, lexer_t *lx);
+int block_line(session_t *s, const char *text, size_t n);
+
 /* plot_parse.c: the whole command becomes s->plot.source[]; nothing is read or drawn. lx: behind the command's word. */
 int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind);
 /* plot_data.c: start reading the data of src; characters of them (*stopped: the line `e` was among them); the data of

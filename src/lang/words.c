@@ -65,7 +65,7 @@ const word_t words_command[] = {
     {"sy$stem", CMD_UNSUPPORTED},
     {"test", CMD_IGNORED},
     {"tog$gle", CMD_IGNORED},
-    {"und$efine", CMD_UNSUPPORTED},
+    {"und$efine", CMD_IGNORED},
     {"uns$et", CMD_UNSET},
     {"up$date", CMD_IGNORED},
     {"vclear", CMD_UNSUPPORTED},

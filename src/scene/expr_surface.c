@@ -109,7 +109,7 @@ static num_t y_at(void *ctx, int32_t i) {
 }
 
 /* Steps below this part of the larger end could leave two points on one double. */
-#define STEP_SHIFT (-46)
+#define STEP_SHIFT (-51)
 
 static int sample(expr_grid_t *g, int k, num_t lo, num_t hi, int32_t n) {
     g->lo[k] = lo;

@@ -210,6 +210,28 @@ hidden_dem_runs_to_its_end() {
     for page in '' -2 -3 -4 -5 -6 -7; do [ "$(wc -l <"b$page.seg")" -gt 100 ]; done
 }
 
+data_blocks() {
+    printf '0 0 1\n0 1 2\n\n1 0 3\n1 1 0\n' >d.dat
+    printf 'splot "d.dat"\n' | ridgeline plot - -o file.seg
+    { printf '$grid << EOD\n'; cat d.dat; printf 'EOD\n# nothing of it is a command: splot\nsplot $grid with lines title "a"\n'; } >scene.gp
+    ridgeline plot scene.gp -o block.seg
+    cmp file.seg block.seg
+    printf 'load "scene.gp"; splot $grid using 1:2:3\n' | ridgeline plot - -o load.seg
+    cmp file.seg load.seg && cmp file.seg load-2.seg
+    # Written anew, it is drawn anew.
+    printf '$d<<END\n0 0\n0 1\nEND\nsplot $d matrix\n$d << END\n0 2 0\n0 0 0\nEND\nreplot\n' | ridgeline plot - -o r.seg
+    [ "$(wc -l <r-2.seg)" -gt "$(wc -l <r.seg)" ]
+    expect_status 2 ridgeline plot - -o b.seg 2>err <<-'.'
+	$open << EOD
+	1 2 3
+	.
+    expect_text err 'the data block has no end'
+    printf 'splot $none\n' | expect_status 2 ridgeline plot - -o b.seg 2>err
+    expect_text err 'line 1, column 7: cannot read the data file: $none'
+    printf '$ d << E\n' | expect_status 2 ridgeline plot - -o b.seg 2>err
+    expect_text err 'column 1: the name of a data block expected'
+}
+
 no_progress_off_a_terminal() {
     ridgeline plot "$scenes/smooth.gp" --set 'set isosamples 700' -o a.seg 2>err
     [ ! -s err ]
@@ -220,4 +242,4 @@ run_tests every_suffix_is_written a_scene_behind_the_eye_is_told data_that_is_no
     print_goes_to_stdout data_beside_the_scene_is_found inline_data an_error_shows_line_column_and_caret \
     bad_input_draws_nothing_and_says_2 a_known_but_ignored_option_is_warned_of_once bad_options_get_a_hint \
     what_is_not_the_inputs_fault_says_1 help_and_version pause_does_not_wait_without_a_terminal \
-    hidden_dem_runs_to_its_end no_progress_off_a_terminal
+    hidden_dem_runs_to_its_end data_blocks no_progress_off_a_terminal

@@ -80,7 +80,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     static const session_port_t PORT = {NULL,      port_text,  port_text,  port_open,
-                                        port_read, port_close, port_pause, port_plot};
+                                        port_read, port_close, NULL, port_pause, port_plot};
     static session_t session;
     static uint64_t pool[POOL / 8];
     static char line[8192];

@@ -92,7 +92,7 @@ static int draw(void *ctx, const plot_t *plot) {
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    static const session_port_t port = {NULL, say, say, open_file, read_file, close_file, wait, draw};
+    static const session_port_t port = {NULL, say, say, open_file, read_file, close_file, NULL, wait, draw};
     parts = opened = 0;
     for (size_t at = 0; parts < PARTS; parts++) {
         const uint8_t *end = memchr(data + at, 0xff, size - at);
