@@ -43,6 +43,11 @@
 #define CONFIG_AREA CONFIG_SOLIDS
 #endif
 
+/* Parametric surfaces (0 or 1): 2 KB of flash; needs CONFIG_SOLIDS. */
+#ifndef CONFIG_PARAMETRIC
+#define CONFIG_PARAMETRIC CONFIG_AREA
+#endif
+
 /* 1: edges of solids that are turned from the eye are not asked what they coincide with (hidden/once_away.h). Nothing
  * depends on it but speed; 0.7 KB of code. */
 #ifndef CONFIG_ONCE_AWAY

@@ -35,7 +35,7 @@ static void list_meshes(const plot_t *plot, meshes_t *m) {
 
 bool picture_is_solid(const plot_t *plot) {
     bool solid = plot->kind == PLOT_SOLIDS && !picture_is_terrain(plot);
-    for (int32_t k = 0; k < plot->n; k++) solid &= plot->item[k].solid;
+    for (int32_t k = 0; k < plot->n; k++) solid &= plot->item[k].solid && !plot->item[k].parametric;
     return solid;
 }
 

@@ -75,6 +75,9 @@ static const topic_t topics[] = {
     {"halo",
      "set halo W [ends]: with set hidden3d halo, a line is interrupted for W mm to either side of a nearer one (0.5).\n"
      "ends: also where it only comes that close to a nearer line, beside it or beyond its end. 0 is no halo.\n"},
+#if CONFIG_PARAMETRIC
+    {"pa$rametric", "set parametric; splot X, Y, Z: three expressions of u and v over urange and vrange\n"},
+#endif
     {"xr$ange", "set xrange [FROM:TO]   [*:5] leaves an end to the data, [5:-5] turns the axis round\n"},
     {"yr$ange", "set yrange [FROM:TO]   see help xrange\n"},
     {"zr$ange", "set zrange [FROM:TO]   heights outside of it are not drawn; see help xrange\n"},

@@ -22,7 +22,8 @@ typedef struct plot_item {
      */
     const char *title;
     int16_t title_len;
-    bool solid; /* of PLOT_SOLIDS: mesh, otherwise surface */
+    bool solid;      /* of PLOT_SOLIDS: mesh, otherwise surface */
+    bool parametric; /* this mesh is a surface: its axes are scaled as theirs */
     union {
         struct {
             surface_t surface; /* the grid that hidden lines are removed from: isosamples x isosamples, or the data */

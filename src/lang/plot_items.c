@@ -81,7 +81,8 @@ int plot_items(session_t *s) {
     int n = 0;
     num_t lo[2], hi[2];
     bool function = false;
-    for (int32_t k = 0; k < s->plot.sources; k++) function |= s->plot.source[k].kind == SOURCE_EXPR;
+    for (int32_t k = 0; k < s->plot.sources; k++)
+        function |= s->plot.source[k].kind == SOURCE_EXPR && !s->plot.source[k].solid;
     for (int k = 0; function && k < (s->plot.kind == PLOT_CURVES ? 1 : 2); k++) { /* y is no variable of curves */
         int err = function_range(s, k, &lo[k], &hi[k]);
         if (err) return err;
@@ -97,6 +98,7 @@ int plot_items(session_t *s) {
             item->title = src->title;
             item->title_len = (int16_t)src->title_len; /* of a line of CONFIG_LINE_MAX bytes */
             item->solid = src->solid;
+            item->parametric = src->parametric;
             int err = 0;
             if (src->solid)
                 item->mesh = s->plot.mesh[k];

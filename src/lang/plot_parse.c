@@ -14,9 +14,21 @@ static int ranges(session_t *s, lexer_t *lx, enum plot_kind kind, expr_params_t 
         params->name[k].len = (uint8_t)strlen(s->dummy[k]);
     }
     for (int k = 0; k < 3; k++) s->plot.range[k] = *set[k];
+    range_t *range = s->plot.range;
+#if CONFIG_PARAMETRIC
+    memcpy(s->plot.uv, s->uv, sizeof s->uv);
+    if (s->axes == AXES_PARAMETRIC && kind == PLOT_SURFACES) {
+        static const char uv[] = "u\0v";
+        for (int k = 0; k < 2; k++)
+            if (strcmp(s->dummy[k], k ? "y" : "x") == 0) params->name[k].text = uv + 2 * k;
+        range = s->plot.uv;
+        axes = 5;
+    }
+#endif
     for (int k = 0; k < axes && lx->tok.kind == '['; k++) {
         lexer_t name = *lx;
-        int err = set_range(s, lx, &s->plot.range[k], &name);
+        if (range != s->plot.range && k == 2) range = s->plot.range - 2;
+        int err = set_range(s, lx, &range[k], &name);
         if (err) return err;
         if (name.tok.kind != TOKEN_NAME) continue;
         if (k >= params->count) return session_fail(s, &name, ERR_SYNTAX, "this axis has no variable");
@@ -136,10 +148,20 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
                                    lx->tok.len);
     } else {
         src->kind = SOURCE_EXPR;
-        if (s->parametric) return session_fail(s, lx, ERR_UNSUPPORTED, "parametric and polar plots are not supported");
-        err = compile(s, lx, params, &src->expr);
-        if (!err && src->expr.columns)
-            return lang_error_set(&s->error, ERR_SYNTAX, src->column, "$ belongs into using");
+        src->parametric = CONFIG_PARAMETRIC && s->axes == AXES_PARAMETRIC && kind == PLOT_SURFACES;
+        if (s->axes != AXES_XY && !src->parametric)
+            return session_fail(s, lx, ERR_UNSUPPORTED, "parametric and polar plots of this kind are not supported");
+        if (src->parametric && s->settings.hidden == HIDDEN_HORIZON)
+            return session_fail(s, lx, ERR_UNSUPPORTED, "parametric surfaces want set hidden3d, or unset hidden3d");
+        src->solid = src->parametric;
+        expr_t *out = src->parametric ? src->part : &src->expr;
+        for (int k = 0; k < (src->parametric ? 3 : 1); k++) {
+            if (k > 0 && !lexer_accept(lx, ','))
+                return lexer_unexpected(lx, &s->error, "a parametric surface needs three expressions: x, y, z");
+            err = compile(s, lx, params, &out[k]);
+            if (err) return err;
+            if (out[k].columns) return lang_error_set(&s->error, ERR_SYNTAX, src->column, "$ belongs into using");
+        }
         src->title_len = (int32_t)(lexer_text(lx) - src->title);
         while (src->title_len > 0 && src->title[src->title_len - 1] == ' ') src->title_len--;
     }
@@ -155,6 +177,8 @@ int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind) {
     s->plot.kind = kind;
     s->plot.sources = 0;
     s->plot.code_len = 0;
+    if (s->logscale)
+        return session_fail(s, lx, ERR_UNSUPPORTED, "logarithmic axes are not supported; draw log10() of it");
     int err = ranges(s, lx, kind, &params);
     if (err) return err;
     do {
@@ -177,7 +201,7 @@ int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind) {
     if (s->plot.sources == 0) return session_fail(s, &word, ERR_SYNTAX, "an expression or a file to draw expected");
     for (int32_t k = 0; k < s->plot.sources && !err; k++) {
         const session_source_t *src = &s->plot.source[k];
-        if (src->kind == SOURCE_EXPR) err = try_out(s, src);
+        if (src->kind == SOURCE_EXPR && !src->parametric) err = try_out(s, src);
         if (src->solid && kind == PLOT_CURVES)
             err = lang_error_set(&s->error, ERR_UNSUPPORTED, src->column, "solids are drawn by splot");
         if (src->solid) s->plot.kind = PLOT_SOLIDS;

@@ -12,7 +12,7 @@ static int evaluation_error(session_t *s, int32_t n) {
     int32_t item = 0;
     for (int32_t k = 0; k < s->plot.sources && item < n; k++) {
         const session_source_t *src = &s->plot.source[k];
-        if (src->kind != SOURCE_EXPR) {
+        if (src->kind != SOURCE_EXPR || src->parametric) {
             item += src->solid ? 1 : src->grids;
             continue;
         }
@@ -62,6 +62,13 @@ static int go_on(session_t *s) {
     while (s->plot.next < s->plot.sources) {
         session_source_t *src = &s->plot.source[s->plot.next];
         int err = 0;
+#if CONFIG_PARAMETRIC
+        if (src->parametric && s->plot.next >= s->plot.kept) {
+            err = plot_parametric(s, src);
+            if (err) return err;
+            continue;
+        }
+#endif
         if (src->kind == SOURCE_EXPR || s->plot.next < s->plot.kept) {
             s->plot.next++;
         } else if (src->kind == SOURCE_INLINE) {

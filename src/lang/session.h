@@ -79,7 +79,8 @@ typedef struct session_source {
     const char *title;
     int32_t title_len;
     expr_t expr;    /* of the element */
-    expr_t part[3]; /* of using */
+    expr_t part[3]; /* of using; of a parametric surface */
+    bool parametric;
     data_spec_t spec;
     int32_t first_grid, grids; /* of data */
     int32_t smooth_q30;        /* cosine of `crease` (mesh.h) */
@@ -107,7 +108,11 @@ typedef struct session {
     char block[32], block_end[32]; /* its name; the line that ends it */
 #endif
     bool quit;
-    bool parametric;                   /* set parametric: expressions would mean something else */
+    bool logscale;                                      /* set logscale, nonlinear */
+    enum { AXES_XY, AXES_PARAMETRIC, AXES_POLAR } axes; /* set parametric, polar: what expressions mean */
+#if CONFIG_PARAMETRIC
+    range_t uv[2]; /* set urange, vrange */
+#endif
     bool in_last;                      /* the error is in `last` (replot), not in the frame's line */
     char dummy[2][LANG_ERROR_MAX / 4]; /* set dummy */
     char separator;                    /* set datafile separator; 0: blanks and commas */
@@ -126,6 +131,9 @@ typedef struct session {
         int32_t valid;    /* elements of the last plot whose data are in the pool */
         int data_error;   /* of an expression in using, or 0 */
         range_t range[3]; /* given in the command, or as set */
+#if CONFIG_PARAMETRIC
+        range_t uv[2]; /* so too */
+#endif
         size_t code_len;
         session_source_t source[CONFIG_PLOT_ITEMS];
         data_grid_t grid[CONFIG_PLOT_ITEMS];

@@ -5,7 +5,11 @@
 void set_reset(session_t *s) {
     settings_default(&s->settings);
     s->separator = 0;
-    s->parametric = false;
+    s->axes = AXES_XY;
+    s->logscale = false;
+#if CONFIG_PARAMETRIC
+    s->uv[0] = s->uv[1] = (range_t){.auto_lo = true, .auto_hi = true};
+#endif
     s->lang.degrees = false;
     memcpy(s->dummy[0], "x", 2);
     memcpy(s->dummy[1], "y", 2);
@@ -108,6 +112,23 @@ static bool is_negated(const lexer_t *lx) {
     return lx->tok.kind == TOKEN_NAME && lx->tok.len > 3 && p[0] == 'n' && p[1] == 'o' && words_find(words_set, lx) < 0;
 }
 
+/* set logscale, nonlinear: none, or names and numbers of axes, of which x, y and z are drawn here. */
+static bool is_of_xyz(const lexer_t *lx) {
+    const char *p = lexer_text(lx);
+    bool any = session_at_end(lx) || lx->tok.kind != TOKEN_NAME;
+    for (uint32_t k = 0; k < lx->tok.len && !any; k++)
+        any = p[k] >= 'x' && p[k] <= 'z' && (k + 1 == lx->tok.len || p[k + 1] != '2');
+    return any;
+}
+
+/* What makes axes of another kind: on or off. Is it such an option? */
+static bool set_axes(session_t *s, uint8_t id, bool on) {
+    if (id == SET_LOGSCALE) s->logscale = on;
+    if (id == SET_POLAR) s->axes = on ? AXES_POLAR : AXES_XY;
+    if (id == SET_PARAMETRIC) s->axes = on ? AXES_PARAMETRIC : AXES_XY;
+    return id == SET_LOGSCALE || id == SET_POLAR || id == SET_PARAMETRIC;
+}
+
 int set_command(session_t *s, lexer_t *lx) {
     if (is_negated(lx)) {
         lx->tok.start += 2;
@@ -162,6 +183,14 @@ int set_command(session_t *s, lexer_t *lx) {
         return set_range_option(s, lx, &set->y);
     case SET_ZRANGE:
         return set_range_option(s, lx, &set->z);
+#if CONFIG_PARAMETRIC
+    case SET_PARAMETRIC:
+        s->axes = AXES_PARAMETRIC;
+        return session_expect_end(s, lx);
+    case SET_URANGE:
+    case SET_VRANGE:
+        return set_range_option(s, lx, &s->uv[words_set[index].id == SET_VRANGE]);
+#endif
     case SET_XYPLANE:
     case SET_TICSLEVEL:
         return set_xyplane(s, lx);
@@ -181,9 +210,20 @@ int set_command(session_t *s, lexer_t *lx) {
             if (err) return err;
         } /* fall through */
     case SET_IGNORED:
-    case SET_FUNCTIONS: /* set function style, long gone from gnuplot */
+    case SET_POLAR:
+    case SET_LOGSCALE:
+#if !CONFIG_PARAMETRIC
     case SET_PARAMETRIC:
-        if (words_set[index].id == SET_PARAMETRIC) s->parametric = true;
+    case SET_URANGE:
+    case SET_VRANGE:
+#endif
+    case SET_FUNCTIONS: /* set function style, long gone from gnuplot */
+        if (words_set[index].id == SET_LOGSCALE && is_of_xyz(lx)) {
+            session_skip(lx);
+            s->logscale = true; /* a picture without it would be another one: plots are refused */
+            return 0;
+        }
+        if (words_set[index].id != SET_LOGSCALE) set_axes(s, words_set[index].id, true);
         session_warn_once(s, s->warned_set, index, "set ", &word, " is ignored");
         session_skip(lx);
         return 0;
@@ -200,10 +240,14 @@ int set_unset_command(session_t *s, lexer_t *lx) {
     settings_t fresh;
     lexer_next(lx);
     uint8_t id = words_set[index].id;
-    if (id == SET_IGNORED || id == SET_STYLE || id == SET_PARAMETRIC || id == SET_BORDER || tics_of(id)) {
+    if (set_axes(s, id, false)) {
+        session_skip(lx);
+        return 0;
+    }
+    if (id == SET_IGNORED || id == SET_STYLE || id == SET_BORDER || tics_of(id) ||
+        (!CONFIG_PARAMETRIC && (id == SET_URANGE || id == SET_VRANGE))) {
         set->tics &= (uint8_t)~tics_of(id);
         if (id == SET_BORDER) set->border_base = false;
-        if (id == SET_PARAMETRIC) s->parametric = false;
         session_warn_once(s, s->warned_set, index, "unset ", &word, " is ignored");
         session_skip(lx);
         return 0;
@@ -270,6 +314,12 @@ int set_unset_command(session_t *s, lexer_t *lx) {
     case SET_VIEW:
         set->view = fresh.view;
         return 0;
+#if CONFIG_PARAMETRIC
+    case SET_URANGE:
+    case SET_VRANGE:
+        s->uv[id == SET_VRANGE] = fresh.x;
+        return 0;
+#endif
     case SET_XRANGE:
         set->x = fresh.x;
         return 0;

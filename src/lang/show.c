@@ -196,6 +196,15 @@ static bool show_option(session_t *s, uint8_t id) {
     text_t t = text_start(buf, sizeof buf);
     const settings_t *set = &s->settings;
     switch (id) {
+#if CONFIG_PARAMETRIC
+    case SET_PARAMETRIC:
+        text_add(&t, s->axes == AXES_PARAMETRIC ? "set parametric\n" : "unset parametric\n");
+        break;
+    case SET_URANGE:
+    case SET_VRANGE:
+        show_range(&t, id == SET_URANGE ? "u" : "v", &s->uv[id == SET_VRANGE]);
+        break;
+#endif
     case SET_XRANGE:
         show_range(&t, "x", &set->x);
         break;
@@ -314,7 +323,8 @@ int show_command(session_t *s, lexer_t *lx) {
     }
     lexer_next(lx);
     uint8_t id = words_set[index].id;
-    if (id == SET_IGNORED || id == SET_PARAMETRIC) {
+    if (id == SET_IGNORED || id == SET_POLAR || id == SET_LOGSCALE ||
+        (!CONFIG_PARAMETRIC && (id == SET_PARAMETRIC || id == SET_URANGE || id == SET_VRANGE))) {
         session_warn_once(s, s->warned_set, index, "show ", &word, ": this option is ignored here");
         session_skip(lx);
         return 0;

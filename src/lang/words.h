@@ -52,7 +52,11 @@ enum set_id {
     SET_ISOSAMPLES,
     SET_MACHINE,
     SET_PAPER,
-    SET_PARAMETRIC, /* and polar: ignored, but plots of expressions are refused while it is set */
+    SET_PARAMETRIC,
+    SET_POLAR,    /* this and the next are ignored, but plots are refused while they are set */
+    SET_LOGSCALE, /* and nonlinear */
+    SET_URANGE,   /* these two are ignored without parametric surfaces */
+    SET_VRANGE,
     SET_SAMPLES,
     SET_STYLE,
     SET_TITLE,
