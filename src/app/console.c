@@ -185,7 +185,14 @@ void console_begin(console_t *c, const console_config_t *config) {
     memset(c, 0, sizeof *c);
     size_t motion_bytes = (config->motion_bytes + 7) / 8 * 8;
     uint8_t *memory = config->memory;
-    c->port = (session_port_t){c, port_print, port_warn, port_open, port_read, port_close, NULL, port_pause, port_plot};
+    c->port = (session_port_t){.ctx = c,
+                               .print = port_print,
+                               .warn = port_warn,
+                               .open = port_open,
+                               .read = port_read,
+                               .close = port_close,
+                               .pause = port_pause,
+                               .plot = port_plot};
     carriage_init(&c->carriage, memory, motion_bytes, poll, c);
     realtime_init(&c->realtime, &c->carriage);
     session_init(&c->session, &c->port, memory + motion_bytes, config->bytes - motion_bytes);

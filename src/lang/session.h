@@ -32,9 +32,11 @@ typedef struct session_port {
     /* Up to size bytes: how many, 0 at the end, or a negative error. */
     int (*read)(void *ctx, int handle, char *buf, int size);
     void (*close)(void *ctx, int handle);
+#if CONFIG_LOAD_DEPTH
     /* Data blocks: opens `$name` as a file from then on. Text NULL: empties it; else adds n bytes to it. May be NULL.
      */
     int (*keep)(void *ctx, const char *name, const char *text, size_t n);
+#endif
     /* pause: shows prompt (may be ""), waits ms milliseconds, or for Return when ms < 0. */
     int (*pause)(void *ctx, const char *prompt, int32_t ms);
     /* Draws. Called once for every splot, plot and replot. */
@@ -73,18 +75,18 @@ typedef struct session_chunk {
 /* One element of a plot command, as it was typed. */
 typedef struct session_source {
     enum { SOURCE_EXPR, SOURCE_FILE, SOURCE_INLINE } kind;
-    bool solid;     /* a file or inline data of vertices and faces */
-    int32_t column; /* of the element's first character, for messages */
-    lexer_t name;   /* at the file's name, or at the expression */
+    bool solid;      /* a file or inline data of vertices and faces; a parametric surface */
+    bool parametric; /* the latter */
+    bool clear;      /* `translucent` */
+    int32_t column;  /* of the element's first character, for messages */
+    lexer_t name;    /* at the file's name, or at the expression */
     const char *title;
     int32_t title_len;
     expr_t expr;    /* of the element */
     expr_t part[3]; /* of using; of a parametric surface */
-    bool parametric;
     data_spec_t spec;
     int32_t first_grid, grids; /* of data */
     int32_t smooth_q30;        /* cosine of `crease` (mesh.h) */
-    bool clear;                /* `translucent` */
     uint32_t moves;            /* where `translate` and the like begin in the line of `name`, or 0 */
 } session_source_t;
 
