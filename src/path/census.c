@@ -28,16 +28,26 @@ void census_enter(census_t *c, page_point_t p) {
     *row |= one | (*row & one) << 1;
 }
 
-bool census_is_alone(const census_t *c, page_point_t p, int32_t near_lat) {
-    int32_t x = p.x_lat >> c->shift, y = p.y_lat >> c->shift;
+/* The same where the cells around lie in two tiles side by side. */
+static bool is_alone_in(const census_t *c, int32_t x, int32_t y, const int32_t xs[2], const int32_t ys[2]) {
     if (*row_of(c, x, y) & somebody(x) << 1) return false;
-    int32_t x0 = (p.x_lat - near_lat) >> c->shift, x1 = (p.x_lat + near_lat) >> c->shift;
-    int32_t y0 = (p.y_lat - near_lat) >> c->shift, y1 = (p.y_lat + near_lat) >> c->shift;
-    if (x0 == x1 && y0 == y1) return true;
-    for (int32_t v = y0; v <= y1; v++) {
-        for (int32_t u = x0; u <= x1; u++) {
+    for (int32_t v = ys[0]; v <= ys[1]; v++) {
+        for (int32_t u = xs[0]; u <= xs[1]; u++) {
             if ((u != x || v != y) && *row_of(c, u, v) & somebody(u)) return false;
         }
     }
     return true;
+}
+
+bool census_is_alone(const census_t *c, page_point_t p, int32_t near_lat) {
+    const int32_t x = p.x_lat >> c->shift, y = p.y_lat >> c->shift;
+    const int32_t xs[2] = {(p.x_lat - near_lat) >> c->shift, (p.x_lat + near_lat) >> c->shift};
+    const int32_t ys[2] = {(p.y_lat - near_lat) >> c->shift, (p.y_lat + near_lat) >> c->shift};
+    if (xs[0] >> TILE_BITS != xs[1] >> TILE_BITS) return is_alone_in(c, x, y, xs, ys);
+    /* Two rows at most: which cells of them count is arithmetic, which would be guessed wrong as often as not. */
+    const uint32_t cells = (2 * somebody(xs[1]) - somebody(xs[0])) & 0x55555555u, own = somebody(x);
+    const int32_t beside = ys[0] + ys[1] - y;
+    const uint32_t here = *row_of(c, x, y) & ((cells & ~own) | own << 1);
+    const uint32_t there = *row_of(c, x, beside) & (beside == y ? 0 : cells);
+    return (here | there) == 0;
 }

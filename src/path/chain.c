@@ -2,15 +2,18 @@
 #include "path/chain.h"
 #include "path/census.h"
 #include "path/dist.h"
-#include "path/sort.h"
 
 #define CLUSTER_MAX 8         /* ends that are paired together: a grid node has four */
 #define SCAN_MAX 256          /* ends looked at in one bucket; more only where thousands crowd: then any will do */
 #define CELL_BITS 4           /* a cell is at least 2^4 tolerances wide, so most queries see a single cell */
 #define CENSUS_TWICE_MIN 4096 /* ends from which a second census pays */
-#define FREE (-1)             /* in mate, until chain_close: not paired */
-#define ALONE (-2)            /* and nobody near */
-#define FETCH 12              /* ends that memory is asked for ahead */
+/* What is worked in lies close together, with room for so many runs more that loop.h makes: a large pool that is not
+ * full would touch memory that nothing else needs. */
+#define ROOM_PART 8
+#define ROOM_MORE 1024
+#define FREE (-1)  /* in mate, until chain_close: not paired */
+#define ALONE (-2) /* and nobody near */
+#define FETCH 12   /* ends that memory is asked for ahead */
 #define STRAIGHT (1 << 29)
 #define UNIT_BITS 13 /* of direction vectors */
 _Static_assert((POOL_RUNS_MIN + 1) * 4 * sizeof(int32_t) >= CENSUS_BYTES_MIN, "the census lies over links and buckets");
@@ -35,7 +38,7 @@ void chain_enter(chain_t *c, int32_t e, page_point_t p) {
 /* Empty buckets, one for each of so many ends. */
 static void make_buckets(chain_t *c, int32_t ends) {
     c->mask = 0;
-    while ((int32_t)c->mask < ends && (int64_t)2 * c->mask + 2 <= 2 * (int64_t)c->pool->cap) c->mask = 2 * c->mask + 1;
+    while ((int32_t)c->mask < ends && (int64_t)2 * c->mask + 2 <= 2 * (int64_t)c->room) c->mask = 2 * c->mask + 1;
     for (uint32_t b = 0; b <= c->mask; b++) c->head[b] = -1;
 }
 
@@ -56,11 +59,13 @@ void chain_enter_free(chain_t *c, page_point_t lo, page_point_t hi) {
 }
 
 int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near_lat) {
-    int32_t lost = 0, ends = 2 * (pool->cap + 1);
+    int32_t lost = 0;
+    const int64_t room = (int64_t)pool->n + pool->n / ROOM_PART + ROOM_MORE;
     *c = (chain_t){.pool = pool, .map = map, .near_lat = near_lat};
+    c->room = room < pool->cap ? (int32_t)room : pool->cap + 1;
     c->point = (page_point_t *)(void *)pool->work;
-    c->next = (int32_t *)(void *)(c->point + ends);
-    c->head = c->next + ends;
+    c->next = (int32_t *)(void *)(c->point + 2 * c->room);
+    c->head = c->next + 2 * c->room;
     while (near_lat << CELL_BITS > 1 << c->shift) c->shift++;
     for (int32_t r = 0; r < pool->n; r++) {
         page_point_t *p = &c->point[2 * r];
@@ -78,7 +83,7 @@ int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near
 static int32_t mark_alone(chain_t *c, int32_t left, int shift) {
     int32_t *mate = c->pool->mate, ends = 2 * c->pool->n;
     census_t census;
-    census_init(&census, (uint32_t *)c->next, sizeof *c->next * 4 * ((size_t)c->pool->cap + 1), left, shift);
+    census_init(&census, (uint32_t *)c->next, sizeof *c->next * 4 * (size_t)c->room, left, shift);
     for (int32_t e = 0; e < ends; e++) {
         if (mate[e] == FREE) census_enter(&census, c->point[e]);
     }
@@ -239,7 +244,6 @@ static void fetch_ahead(const chain_t *c, int32_t e) {
 }
 
 void chain_pair(chain_t *c) {
-    sort_runs(c->pool, c->point, (uint32_t *)c->next);
     enter_all(c);
     for (int32_t e = 0; e < 2 * c->pool->n; e++) {
         int32_t cluster[CLUSTER_MAX];

@@ -15,6 +15,7 @@ typedef struct chain {
     pool_t *pool;
     const ink_map_t *map;
     int32_t near_lat;
+    int32_t room;        /* runs that there is memory for */
     page_point_t *point; /* of every end */
     int32_t *next;       /* next end in the same bucket, or -1 */
     int32_t *head;       /* buckets */
@@ -25,7 +26,7 @@ typedef struct chain {
 /* Finds the page points of all ends, and changes nothing else: runs keep their order of arrival. But those that the map
  * does not find are removed, and counted in the result. */
 int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near_lat);
-/* Sorts the runs (sort.h) and pairs ends: fills pool->mate; free ends are negative until chain_close says more. */
+/* Pairs ends: fills pool->mate; free ends are negative until chain_close says more. */
 void chain_pair(chain_t *c);
 /* Links the two free ends of every stroke; RUN_SEEN then marks every run of an open stroke, and those that are not
  * marked are closed strokes. Returns the number of open strokes. */

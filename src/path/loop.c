@@ -110,7 +110,7 @@ int32_t loop_open(chain_t *c) {
         bool found = walk(c, 2 * r, &m);
         int32_t k = m.start >> 1;
         bool at_end = found && (m.t == pool_end_t(p, 2 * k) || m.t == pool_end_t(p, 2 * k + 1));
-        if (!found || (!at_end && p->n == p->cap)) {
+        if (!found || (!at_end && (p->n == p->cap || p->n == c->room))) {
             cut_at_end(c, 2 * r);
             alone++;
             continue;
