@@ -10,6 +10,7 @@
 #include <string.h>
 
 #define SMALL_ARENA ((size_t)256 * 1024)
+#define LARGE_ARENA ((size_t)16 << 20)
 
 void picture_tell(picture_t *p, enum picture_stage stage, int32_t done, int32_t of) {
     p->stage = stage;
@@ -40,10 +41,21 @@ static size_t hiding_bytes(const plot_t *plot, int32_t each, bool holes) {
 /* 3 for smooth surfaces (measured: 2.2), 10 for random ones (5.6 at 60 x 60, 7.7 at 250 x 250). */
 enum { EACH_SMOOTH = 3, EACH_ROUGH = 10 };
 
+static bool is_grid(const plot_t *plot) {
+    const enum hidden_mode hidden = plot->settings->hidden;
+    return plot->kind == PLOT_SURFACES && !picture_wants_solids(plot) && hidden != HIDDEN_NONE &&
+           hidden != HIDDEN_HORIZON && hidden != HIDDEN_HALO;
+}
+
 void *picture_kernel_memory(picture_t *p, size_t *bytes) {
     size_t left = arena_left(&p->arena), least = PATH_BYTES_MIN + 32;
     enum picture_share share = p->hooks ? p->hooks->share : PICTURE_SHARE_USUAL;
     *bytes = left / kernel_part(p->arena.bytes);
+    if (p->arena.bytes >=
+        LARGE_ARENA) { /* horizons grow from both ends: what lies between costs time where it is touched */
+        const size_t want = hiding_bytes(p->plot, 4 * EACH_ROUGH, true), little = left / 64;
+        if (is_grid(p->plot) && want < *bytes) *bytes = want > little ? want : little;
+    }
     if (share != PICTURE_SHARE_USUAL && left > 2 * least) {
         size_t most = left - least;
         size_t want = share == PICTURE_SHARE_SMOOTH ? hiding_bytes(p->plot, EACH_SMOOTH, false) : most;

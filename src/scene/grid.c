@@ -138,6 +138,12 @@ static bool height(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
 
 int32_t grid_row(grid_t *g, int32_t j, int32_t *zi, uint8_t *hole) {
     int32_t holes = 0;
+    if (g->cache != NULL && g->holes == 0) {
+        const int32_t *from = g->cache + (int64_t)j * g->nx;
+        for (int32_t i = 0; i < g->nx; i++) zi[i] = from[i];
+        for (int32_t i = 0; i < g->nx && hole != NULL; i++) hole[i] = 0;
+        return 0;
+    }
     for (int32_t i = 0; i < g->nx; i++) {
         bool defined = height(g, i, j, &zi[i]);
         if (!defined) {
