@@ -66,7 +66,6 @@ static int32_t word_at(const obj_reader_t *r, int32_t k) {
     return *((const int32_t *)(const void *)(r->pool->base + r->pool->high) - 1 - k);
 }
 
-#if CONFIG_AREA /* where the others have no room for it yet */
 /* Twice the area of a contour: words from <= k < to, as a vector square to it (Newell). */
 static void area_of(const obj_reader_t *r, int32_t from, int32_t to, num_t area[3]) {
     for (int axis = 0; axis < 3; axis++) area[axis] = num_from_i64(0);
@@ -100,12 +99,6 @@ static void turn_hole(obj_reader_t *r) {
         word[-last] = swap;
     }
 }
-
-#else
-static void turn_hole(obj_reader_t *r) {
-    (void)r;
-}
-#endif
 
 /* The end of a face's contour. A hole is joined to the outer contour by a cut that is gone along both ways, v0 ... h0
  * h1
