@@ -104,6 +104,16 @@ function memory(board, said) {
   console.log(text.slice(at + 7).split('\n').filter((l) => l && !l.startsWith('>')).map((l) => `    ${l}`).join('\n'));
 }
 
+// Polygons: two lights, shadows, a translucent pane; the area sort takes what memory there is.
+function polygons() {
+  const file = join(tmp, 'glass.stim'), text = join(tmp, 'glass.txt');
+  writeFileSync(file, readFileSync('tests/emu/scenes/glass.stim', 'utf8') + '+60000000 type memory\\r\n+60500000 quit\n');
+  const run = spawnSync('node', ['tests/emu/rp2040.mjs', `${build}/firmware/rp2040.bin`, file, '/dev/null', text, '99'],
+    { env: { ...process.env, EMU_MODULES: `${build}/emu` }, encoding: 'utf8', timeout: 900e3 });
+  if (run.status !== 0) throw new Error(`pico glass: ${run.stderr}`);
+  memory('Pico, a box under glass in two lights, drawn to the end', readFileSync(text, 'latin1'));
+}
+
 function qemu(board, shape, n, seconds) {
   const stim = stimulus(shape, n, QUICK.replaceAll('200', '60'), `+${seconds}000000 type memory\\r\n+${seconds + 2}000000 quit`);
   return execFileSync('sh', ['tests/emu/bench_qemu.sh', build, board, stim], { encoding: 'latin1', timeout: 900e3 });
@@ -131,5 +141,6 @@ table();
 solids();
 const r = pico('smooth', 60, 'quit', '', '+230000000 type memory\\r\n+230300000 quit');
 memory('Pico, smooth 60x60, A4, 100 mm/s, drawn to the end', r.text);
+polygons();
 for (const [shape, n, seconds] of [['smooth', 60, 70], ['random', 32, 150]])
   memory(`micro:bit, ${shape} ${n}x${n}, 60 mm/s, drawn to the end on small paper`, qemu('nrf51', shape, n, seconds));
