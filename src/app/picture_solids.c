@@ -10,6 +10,7 @@
 #include "hidden/wires.h"
 #include "scene/surface_mesh.h"
 #include "view/dash.h"
+#include <string.h>
 
 static void hide_tick(void *ctx, int32_t done, int32_t of) {
     picture_hidden(ctx, done, of, 0);
@@ -141,6 +142,20 @@ static int add_seams(picture_t *p) {
 #endif
 }
 
+/* The box of the axes has room for what parametric surfaces leave out. */
+static void widen(const plot_t *plot, num_t lo[3], num_t hi[3]) {
+#if CONFIG_PARAMETRIC
+    for (int32_t i = 0; i < plot->n; i++)
+        for (int k = 0; k < 2 && plot->item[i].parametric; k++) {
+            const num_t *e = plot->item[i].extent[k];
+            if (num_cmp(e[0], lo[k]) < 0) lo[k] = e[0];
+            if (num_cmp(e[1], hi[k]) > 0) hi[k] = e[1];
+        }
+#else
+    (void)plot, (void)lo, (void)hi;
+#endif
+}
+
 static int build(picture_t *p) {
     int err = put_together(p);
     if (!err) err = add_seams(p);
@@ -148,7 +163,11 @@ static int build(picture_t *p) {
     void *place = arena_take(&p->arena, SOLID_MAP_BYTES(p->solid.nv));
     if (!place) return ERR_FULL;
     p->stats.map_bytes = p->solid.bytes + SOLID_MAP_BYTES(p->solid.nv);
-    err = picture_camera(p, p->solid.lo, p->solid.hi);
+    num_t lo[3], hi[3];
+    memcpy(lo, p->solid.lo, sizeof lo);
+    memcpy(hi, p->solid.hi, sizeof hi);
+    widen(p->plot, lo, hi);
+    err = picture_camera(p, lo, hi);
     if (!err) err = solid_map_setup(&p->solid_map, &p->solid, &p->camera, place);
     if (err) return err;
     p->spaces = CONFIG_AREA ? LINE_CLASSES : 1;

@@ -24,6 +24,9 @@ typedef struct plot_item {
     int16_t title_len;
     bool solid;      /* of PLOT_SOLIDS: mesh, otherwise surface */
     bool parametric; /* this mesh is a surface: its axes are scaled as theirs */
+#if CONFIG_PARAMETRIC
+    num_t extent[2][2]; /* of it along x and y, what is left out too: lo, hi */
+#endif
     union {
         struct {
             surface_t surface; /* the grid that hidden lines are removed from: isosamples x isosamples, or the data */

@@ -99,6 +99,9 @@ int plot_items(session_t *s) {
             item->title_len = (int16_t)src->title_len; /* of a line of CONFIG_LINE_MAX bytes */
             item->solid = src->solid;
             item->parametric = src->parametric;
+#if CONFIG_PARAMETRIC
+            memcpy(item->extent, src->extent, sizeof item->extent);
+#endif
             int err = 0;
             if (src->solid)
                 item->mesh = s->plot.mesh[k];

@@ -5,7 +5,7 @@
 #if CONFIG_PARAMETRIC
 typedef struct build {
     session_t *s;
-    const session_source_t *src;
+    session_source_t *src;
     mesh_t *mesh;
     packed_t *vertex;
     int32_t *top;
@@ -28,6 +28,13 @@ static bool is_within(const range_t *r, num_t v) {
     return !v.undef && (r->auto_lo || num_cmp(v, r->lo) >= 0) && (r->auto_hi || num_cmp(v, r->hi) <= 0);
 }
 
+/* Whatever else is left out of a point, gnuplot's axes are as long as this. */
+static void widen(num_t extent[2], num_t v) {
+    if (v.undef) return;
+    if (extent[0].undef || num_cmp(v, extent[0]) < 0) extent[0] = v;
+    if (extent[1].undef || num_cmp(v, extent[1]) > 0) extent[1] = v;
+}
+
 /* The next vertex; a hole where it is undefined or outside of the ranges. */
 static void add_vertex(build_t *b, num_t u, num_t v) {
     const num_t at[2] = {u, v};
@@ -37,6 +44,7 @@ static void add_vertex(build_t *b, num_t u, num_t v) {
         value_t value;
         b->error = expr_eval(&b->s->lang, &b->src->part[k], at, &value);
         const num_t n = value_num(value);
+        if (k < 2 && !b->error && is_within(&b->s->plot.range[k], n)) widen(b->src->extent[k], n);
         good &= is_within(&b->s->plot.range[k], n);
         out[k] = good ? packed_from_num(n) : PACKED_HOLE;
     }
@@ -108,6 +116,7 @@ int plot_parametric(session_t *s, session_source_t *src) {
     num_t u[2], v[2];
     const int32_t seed[2] = {s->lang.seed[0], s->lang.seed[1]};
     *m = (mesh_t){.vertex = (const packed_t(*)[3])(const void *)b.vertex, .top = b.top};
+    for (int k = 0; k < 2; k++) src->extent[k][0] = src->extent[k][1] = num_undef();
     ends(s, 0, u);
     ends(s, 1, v);
     int err = s->settings.hidden == HIDDEN_NONE ? lines(&b, u, v) : facets(&b, u, v);

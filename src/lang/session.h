@@ -87,7 +87,10 @@ typedef struct session_source {
     data_spec_t spec;
     int32_t first_grid, grids; /* of data */
     int32_t smooth_q30;        /* cosine of `crease` (mesh.h) */
-    uint32_t moves;            /* where `translate` and the like begin in the line of `name`, or 0 */
+#if CONFIG_PARAMETRIC
+    num_t extent[2][2]; /* plot.h */
+#endif
+    uint32_t moves; /* where `translate` and the like begin in the line of `name`, or 0 */
 } session_source_t;
 
 /* What stands behind one surface or curve while it is drawn. */
