@@ -60,6 +60,7 @@ static struct {
     bool parked;    /* stretched for ever, and no deadline is armed */
     int8_t slope;
     uint8_t pins; /* pen and enable of the taken piece */
+    uint32_t pulse, setup, slack;
     motor_t motor[2];
     /* Edges. */
     uint32_t now;   /* the armed deadline */
@@ -69,7 +70,6 @@ static struct {
     uint32_t made; /* of ahead.room */
     uint32_t first;
     uint32_t next; /* deadline, if known */
-    uint32_t pulse, setup, slack;
     stepgen_piece_t *queue;
     uint32_t mask;
     uint32_t head;  /* next slot to fill: written by the main loop only */
@@ -410,18 +410,19 @@ static bool plain_pulses(bool at_once) {
     uint32_t *const from = &g.ahead.word[g.made], *word = from;
     const uint32_t *end = x->left | y->left ? &g.ahead.word[g.ahead.room - 1] : word + 1;
     while (word < end) {
-        const uint32_t now = earlier_of(x_at, y_at), near = now + NEAR_TICKS, ticks = now - edge;
+        const int32_t y_later = (int32_t)(y_at - x_at);
+        const uint32_t now = y_later < 0 ? y_at : x_at, ticks = now - edge;
         if (!hal_before(now, until) || (int32_t)ticks < (int32_t)HAL_EDGE_GAP) break;
-        if (!hal_before(near, x_at)) {
+        edge = now;
+        if (y_later >= -(int32_t)NEAR_TICKS) {
             x_at = toggle_plain(x, level & HAL_X_STEP, now, far);
             level ^= HAL_X_STEP;
         }
-        if (!hal_before(near, y_at)) {
+        if (y_later <= (int32_t)NEAR_TICKS) {
             y_at = toggle_plain(y, level & HAL_Y_STEP, now, far);
             level ^= HAL_Y_STEP;
         }
         *word++ = hal_edge(level, ticks);
-        edge = now;
         if (!(x->left | y->left)) break;
     }
     if (word == from) return false;

@@ -42,3 +42,13 @@ bench-mcu: ## cycles per facet, memory and stack on the boards, in emulators, be
 	+$(Q)$(again) bench-mcu-run
 bench-mcu-run: $(EMUDIR)/scope.so $(EMUDIR)/node_modules/.ready $(IMAGES) $(BUILDDIR)/bench/cpu_time
 	$(Q)node tests/emu/bench_mcu.mjs $(BUILDDIR)
+# Images of their own, which no rate is too high for.
+.PHONY: bench-rates bench-rates-run
+bench-rates: ## the highest rate of steps of each board that is in time, in emulators
+	$(Q)sh .ci/deps.sh host firmware emu
+	+$(Q)$(again) bench-rates-run
+bench-rates-run: host
+	+$(Q)$(MAKE) --no-print-directory BUILDDIR=$(BUILDDIR)/rates UNSET=CONFIG_STEP_RATE bench-rates-images
+	$(Q)RIDGELINE=$(RIDGELINE) sh tests/emu/bench_rates.sh $(BUILDDIR)/rates
+.PHONY: bench-rates-images
+bench-rates-images: $(EMUDIR)/scope.so $(EMUDIR)/node_modules/.ready $(BOARDS:%=$(EMUDIR)/sim-%) $(IMAGES)
