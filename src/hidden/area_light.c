@@ -1,8 +1,9 @@
 /* area_light.c - see area_light.h. */
 #include "hidden/area_light.h"
+#include "hidden/area_mover.h"
 
 #include "error.h"
-#include "num/ints.h"
+#include "num/num_vec.h"
 #include "scene/solid_math.h"
 
 #if CONFIG_AREA
@@ -10,24 +11,6 @@
 #define LIGHT_PAGE_LAT ((int64_t)100 * LAT_PER_MM) /* the scene seen from the light reaches so far from the origin */
 
 /* ---- directions ---- */
-
-static num_t dot(const num_t a[3], const num_t b[3]) {
-    return num_add(num_add(num_mul(a[0], b[0]), num_mul(a[1], b[1])), num_mul(a[2], b[2]));
-}
-
-static bool unit_of(const num_t a[3], num_t out[3]) {
-    num_t length = num_sqrt(dot(a, a));
-    if (length.undef || num_sign(length) == 0) return false;
-    for (int k = 0; k < 3; k++) out[k] = num_div(a[k], length);
-    return true;
-}
-
-static void cross(const num_t a[3], const num_t b[3], num_t out[3]) {
-    for (int k = 0; k < 3; k++) {
-        int i = (k + 1) % 3, j = (k + 2) % 3;
-        out[k] = num_sub(num_mul(a[i], b[j]), num_mul(a[j], b[i]));
-    }
-}
 
 /* The middle of a face's corners, in the scene's coordinates. */
 static void middle_of(const solid_t *s, int32_t face, num_t out[3]) {
@@ -49,8 +32,8 @@ int64_t light_slope(const light_t *l, const solid_map_t *m, int32_t face) {
         normal[k] = num_div(num_from_i64(n.n[k]), unit);
         to[k] = num_mul(l->point ? num_sub(l->at[k], to[k]) : l->at[k], unit);
     }
-    if (!unit_of(normal, normal) || !unit_of(to, to)) return 0;
-    int64_t q30 = num_to_fixed(dot(normal, to), 30, NULL);
+    if (!num_vec_unit(normal) || !num_vec_unit(to)) return 0;
+    int64_t q30 = num_to_fixed(num_vec_dot(normal, to), 30, NULL);
     return area_looks_at_eye(m, face) ? q30 : -q30;
 }
 
@@ -67,16 +50,16 @@ static int look_from(lit_t *s, const light_t *l, void *place) {
         half[k] = num_ldexp(num_sub(solid->hi[k], solid->lo[k]), -1);
         to[k] = l->point ? num_sub(l->at[k], middle[k]) : l->at[k];
     }
-    num_t radius2 = dot(half, half), away2 = dot(to, to), radius = num_sqrt(radius2);
-    if (radius.undef || num_sign(radius) == 0 || !unit_of(to, to)) return ERR_VALUE;
+    num_t radius2 = num_vec_dot(half, half), away2 = num_vec_dot(to, to), radius = num_sqrt(radius2);
+    if (radius.undef || num_sign(radius) == 0 || !num_vec_unit(to)) return ERR_VALUE;
     num_t beyond2 = num_sub(away2, radius2); /* of a point light, to where its rays touch the scene's sphere */
     if (l->point && num_cmp(beyond2, num_mul(radius2, num_from_decimal(5, -2))) < 0) return ERR_LIGHT;
-    cross(up, to, across);
-    if (!unit_of(across, across)) { /* straight from above or below */
+    num_vec_cross(up, to, across);
+    if (!num_vec_unit(across)) { /* straight from above or below */
         across[0] = one;
         across[1] = across[2] = zero;
     }
-    cross(to, across, up);
+    num_vec_cross(to, across, up);
     num_t scale = num_div(num_from_i64(LIGHT_PAGE_LAT), radius);
     if (l->point) scale = num_mul(scale, num_sqrt(beyond2));
     *cam = (camera_t){.perspective = l->point};
@@ -86,9 +69,9 @@ static int look_from(lit_t *s, const light_t *l, void *place) {
         cam->m[2][k] = l->point ? num_neg(to[k]) : zero;
         cam->eye[k] = l->point ? l->at[k] : to[k];
     }
-    cam->m[0][3] = num_neg(dot(cam->m[0], middle));
-    cam->m[1][3] = num_neg(dot(cam->m[1], middle));
-    cam->m[2][3] = l->point ? dot(to, l->at) : one;
+    cam->m[0][3] = num_neg(num_vec_dot(cam->m[0], middle));
+    cam->m[1][3] = num_neg(num_vec_dot(cam->m[1], middle));
+    cam->m[2][3] = l->point ? num_vec_dot(to, l->at) : one;
     const int32_t far = (int32_t)LIGHT_PAGE_LAT + 16;
     cam->window = (page_window_t){-far, -far, far, far};
     int err = solid_map_setup(&s->map, solid, cam, place);
@@ -98,126 +81,11 @@ static int look_from(lit_t *s, const light_t *l, void *place) {
     return err;
 }
 
-/* ---- from the light's view to the eye's ---- */
-
-#define BORDER_MOST 8
-
-typedef struct mover {
-    poly_point_t at[3]; /* corners as the light sees them */
-    page_h_t from[3];   /* the same, homogeneous */
-    page_h_t to[3];     /* and as the eye does */
-    int64_t whole;
-    struct {
-        poly_point_t at;
-        page_h_t from[1], to[1];
-    } border[BORDER_MOST]; /* all corners, if they are not many: n, else 0 */
-    int32_t n;
-} mover_t;
-
-/* The three corners that span the face widest, seen from the light. False if it sees the face edge-on. */
-static bool find_corners(const lit_t *s, int32_t face, mover_t *mv) {
-    const solid_face_t *f = &s->m->solid->face[face];
-    const int32_t *corner = s->m->solid->corner + f->corner;
-    int32_t at[3] = {0, 0, 0};
-    uint64_t far = 0, wide = 0;
-    for (int k = 0; k < 3; k++) mv->at[k] = area_vertex(&s->lattice, corner[0]);
-    for (int32_t k = 1; k < f->n; k++) {
-        poly_point_t p = area_vertex(&s->lattice, corner[k]);
-        int64_t dx = p.x - mv->at[0].x, dy = p.y - mv->at[0].y;
-        uint64_t d = (uint64_t)(dx * dx + dy * dy);
-        if (d > far) far = d, at[1] = k, mv->at[1] = p;
-    }
-    if (far == 0) return false;
-    for (int32_t k = 1; k < f->n; k++) {
-        poly_point_t p = area_vertex(&s->lattice, corner[k]);
-        uint64_t d = ints_abs64(poly_orient(mv->at[0], mv->at[1], p));
-        if (d > wide) wide = d, at[2] = k, mv->at[2] = p;
-    }
-    mv->whole = poly_orient(mv->at[0], mv->at[1], mv->at[2]);
-    for (int k = 0; k < 3; k++) {
-        mv->from[k] = solid_map_vertex(&s->map, corner[at[k]]);
-        mv->to[k] = solid_map_vertex(s->m, corner[at[k]]);
-    }
-    mv->n = f->n <= BORDER_MOST ? f->n : 0;
-    for (int32_t k = 0; k < mv->n; k++) {
-        mv->border[k].at = area_vertex(&s->lattice, corner[k]);
-        *mv->border[k].from = solid_map_vertex(&s->map, corner[k]);
-        *mv->border[k].to = solid_map_vertex(s->m, corner[k]);
-    }
-    return mv->whole != 0;
-}
+/* ---- lit polygons ---- */
 
 static int32_t limited(int64_t a) {
     return (int32_t)(a < -POLY_LIMIT ? -POLY_LIMIT : a > POLY_LIMIT ? POLY_LIMIT : a);
 }
-
-/* A share of a difference; far outside of a face it may be anything, but stays summable. */
-static int64_t share_of(int64_t a, int64_t p, int64_t whole) {
-    int64_t most = (int64_t)1 << 61, part = ints_muldiv_round(p, a, whole);
-    return part < -most ? -most : part > most ? most : part;
-}
-
-/* a + (b - a) p / whole + (c - a) q / whole */
-static int64_t mix(int64_t a, int64_t b, int64_t c, int64_t p, int64_t q, int64_t whole) {
-    return a + share_of(b - a, p, whole) + share_of(c - a, q, whole);
-}
-
-static area_place_t place(const lit_t *s, int64_t x, int64_t y, int64_t e) {
-    if (!s->m->lines.perspective) return (area_place_t){.x = x, .y = y, .e = (int64_t)1 << s->m->lines.frac_bits};
-    const int64_t most = INT64_MAX >> SOLID_FINE_E;
-    return (area_place_t){.x = x, .y = y, .e = (e > most ? most : e < -most ? -most : e) * (1 << SOLID_FINE_E)};
-}
-
-/* A point on the border stays on it, also where a face of a file is flat only nearly: the light sees that it is not. */
-static bool move_on_border(const lit_t *s, const mover_t *mv, poly_point_t p, area_place_t *to) {
-    for (int32_t k = 0; k < mv->n; k++) {
-        const int32_t m = k + 1 < mv->n ? k + 1 : 0;
-        const poly_point_t a = mv->border[k].at, b = mv->border[m].at;
-        const int64_t dx = (int64_t)b.x - a.x, dy = (int64_t)b.y - a.y, px = (int64_t)p.x - a.x,
-                      py = (int64_t)p.y - a.y;
-        const int64_t wide = dx < 0 ? -dx : dx, high = dy < 0 ? -dy : dy, size = wide > high ? wide : high;
-        const int64_t along = wide > high ? (dx < 0 ? -px : px) : (dy < 0 ? -py : py), off = dx * py - dy * px;
-        if (size == 0 || along < 0 || along > size || off > 2 * size || off < -2 * size) continue;
-        const page_h_t *f = mv->border[k].from, *h = mv->border[k].to, *g = mv->border[m].to;
-        int64_t share = ints_muldiv_round(INK_ONE, along, size);
-        if (s->map.lines.perspective && share > 0 && share < INK_ONE) {
-            /* as in the picture, to in space */
-            const int64_t far = mv->border[m].from->e;
-            share = ints_muldiv_round(INK_ONE, ints_muldiv_round(share, f->e, far),
-                                      ints_muldiv_round(share, f->e, far) + INK_ONE - share);
-        }
-        const page_h_t at = line_space_mix(h, g, (int32_t)(share > INK_ONE - 1 ? INK_ONE - 1 : share));
-        *to = share == INK_ONE ? place(s, g->x, g->y, g->e) : place(s, at.x, at.y, at.e);
-        return true;
-    }
-    return false;
-}
-
-static area_place_t move(const lit_t *s, const mover_t *mv, poly_point_t p) {
-    const page_h_t *h = mv->to;
-    area_place_t on_border;
-    if (move_on_border(s, mv, p, &on_border)) return on_border;
-    int64_t to_b = poly_orient(mv->at[0], p, mv->at[2]), to_c = poly_orient(mv->at[0], mv->at[1], p);
-    int64_t whole = mv->whole;
-    if (s->map.lines.perspective) {
-        /* A share l of a corner in the picture is a share l / E of it in space, in the sum of these. */
-        const int64_t fine = INK_ONE * 256;
-        int64_t share[3] = {0, ints_muldiv_round(to_b, fine, whole), ints_muldiv_round(to_c, fine, whole)};
-        share[0] = fine - share[1] - share[2];
-        for (int k = 0; k < 3; k++)
-            share[k] = ints_muldiv_round(share[k], s->lattice.near >> SOLID_FINE_E, mv->from[k].e);
-        whole = share[0] + share[1] + share[2];
-        to_b = share[1];
-        to_c = share[2];
-        if (whole == 0) whole = 1;
-    }
-    int64_t x = mix(h[0].x, h[1].x, h[2].x, to_b, to_c, whole);
-    int64_t y = mix(h[0].y, h[1].y, h[2].y, to_b, to_c, whole);
-    int64_t e = s->m->lines.perspective ? mix(h[0].e, h[1].e, h[2].e, to_b, to_c, whole) : 0;
-    return place(s, x, y, e);
-}
-
-/* ---- lit polygons ---- */
 
 enum { NEXT, CONTOURS, VERTICES, HEAD };
 
@@ -290,8 +158,8 @@ static int close_contour(lit_clip_t *c, int32_t from) {
 
 static int take_lit(void *ctx, int32_t face, const poly_t *p) {
     lit_t *s = ctx;
-    mover_t mv;
-    if (area_is_turned_away(s->m, face, true) || !find_corners(s, face, &mv)) return 0;
+    area_mover_t mv;
+    if (area_is_turned_away(s->m, face, true) || !area_mover(&mv, &s->lattice, s->m, face)) return 0;
     if (HEAD + p->contours > s->words_max - s->words) return ERR_FULL;
     int32_t *block = s->word + s->words, *end = block + HEAD, *head = s->head + s->which * s->m->solid->nf + face;
     /* With nothing behind the eye, rounding alone puts something before what is nearest. */
@@ -301,7 +169,7 @@ static int take_lit(void *ctx, int32_t face, const poly_t *p) {
     for (int32_t k = 0, i = 0; k < p->contours; k++) {
         int32_t *const start = c.w;
         int err = 0;
-        for (; i < p->end[k] && !err; i++) err = put_place(&c, border, move(s, &mv, p->v[i].at));
+        for (; i < p->end[k] && !err; i++) err = put_place(&c, border, area_move(&mv, p->v[i].at));
         if (!err) err = close_contour(&c, border);
         if (err) return err;
         if (c.w - start < 2 * 3) c.w = start;

@@ -3,6 +3,7 @@
 
 #include "config.h"
 #include "error.h"
+#include "hidden/shaded_light.h"
 #include "hidden/sweep.h"
 #include "num/ints.h"
 
@@ -10,61 +11,6 @@
 
 #define ONE_Q30 (INT32_C(1) << 30)
 #define LEAST_LAT (LAT_PER_MM / 10) /* shorter parts are dots, shorter gaps rounding */
-
-/* ---- lights ---- */
-
-static bool make_unit(num_t v[3]) {
-    num_t sum = num_from_i64(0);
-    for (int k = 0; k < 3; k++) sum = num_add(sum, num_mul(v[k], v[k]));
-    num_t length = num_sqrt(sum);
-    if (length.undef || num_sign(length) == 0) return false;
-    for (int k = 0; k < 3; k++) v[k] = num_div(v[k], length);
-    return true;
-}
-
-/* All lights together on a facet that is turned squarely to them: at least as much as one. */
-static void weigh_lights(shaded_t *s) {
-    num_t sum[3], length2 = num_from_i64(0), one = num_from_i64(1);
-    for (int k = 0; k < 3; k++) sum[k] = num_from_i64(0);
-    for (int32_t l = 0; l < s->lights; l++) {
-        for (int k = 0; k < 3; k++) s->to[l][k] = s->light[l].at[k];
-        make_unit(s->to[l]);
-        for (int k = 0; k < 3; k++) sum[k] = num_add(sum[k], s->to[l][k]);
-    }
-    for (int k = 0; k < 3; k++) length2 = num_add(length2, num_mul(sum[k], sum[k]));
-    if (num_cmp(length2, one) < 0) length2 = one;
-    s->full_q30 = num_to_fixed(num_sqrt(length2), 30, NULL);
-}
-
-/* What a facet gets, as a share of the most, on the side that runs counter-clockwise (turn: the other one). */
-static int64_t brightness(const shaded_t *s, const grid_t *g, int32_t i, int32_t j, const shaded_vertex_t *v[4],
-                          bool turn) {
-    const surface_t *f = g->src;
-    const num_t *unit = s->cam->unit;
-    num_t x = num_mul(unit[0], num_sub(f->x_of(f->ctx, i + 1), f->x_of(f->ctx, i)));
-    num_t y = num_mul(unit[1], num_sub(f->y_of(f->ctx, j + 1), f->y_of(f->ctx, j)));
-    num_t a = num_mul(unit[2], num_ldexp(num_from_i64((int64_t)v[2]->z - v[0]->z), g->z_exp));
-    num_t b = num_mul(unit[2], num_ldexp(num_from_i64((int64_t)v[3]->z - v[1]->z), g->z_exp));
-    /* diagonals (x, y, a) and (-x, y, b) */
-    num_t n[3] = {num_mul(y, num_sub(b, a)), num_neg(num_mul(x, num_add(a, b))), num_ldexp(num_mul(x, y), 1)};
-    if (!make_unit(n)) return 0;
-    int64_t sum = 0;
-    for (int32_t l = 0; l < s->lights; l++) {
-        num_t to[3], cosine = num_from_i64(0);
-        for (int k = 0; k < 3; k++) to[k] = s->to[l][k];
-        if (s->light[l].point) {
-            num_t z = num_add(g->z_origin, num_ldexp(num_from_i64(v[0]->z), g->z_exp));
-            const num_t at[3] = {f->x_of(f->ctx, i), f->y_of(f->ctx, j), z};
-            for (int k = 0; k < 3; k++) to[k] = num_mul(unit[k], num_sub(s->light[l].at[k], at[k]));
-            if (!make_unit(to)) continue;
-        }
-        for (int k = 0; k < 3; k++) cosine = num_add(cosine, num_mul(n[k], to[k]));
-        int64_t q30 = num_to_fixed(cosine, 30, NULL);
-        if (turn) q30 = -q30;
-        sum += q30 > 0 ? q30 : 0;
-    }
-    return ints_muldiv_round(sum, INK_ONE, s->full_q30);
-}
 
 /* ---- rows ---- */
 
@@ -80,7 +26,7 @@ int shaded_init(shaded_t *s, int32_t nx, int32_t surfaces, void *mem, size_t byt
     s->row_j = (int32_t *)(void *)(s->row + rows * (size_t)nx);
     for (size_t k = 0; k < rows; k++) s->row_j[k] = -1;
     intervals_init(&s->parts, (uint8_t *)mem + fixed, bytes - fixed);
-    weigh_lights(s);
+    shaded_weigh_lights(s);
     return 0;
 }
 
@@ -376,7 +322,7 @@ int shaded_facet(shaded_t *s, sweep_t *sw, const layer_t *l, int32_t i) {
     chart_facet(&f, &sw->edges.chart, l, i);
     if (area2 == 0 || is_hidden(sw, &f)) return 0;
     find_others(s, &f, sw, l, i);
-    enum hatch_tone tone = hatch_tone_of(brightness(s, l->grid, i, j, f.v, area2 < 0));
+    enum hatch_tone tone = hatch_tone_of(shaded_brightness(s, l->grid, i, j, f.v, area2 < 0));
     int err = 0;
     for (int second = 0; second < 2 && !err; second++) {
         int32_t step = hatch_step(tone, second);

@@ -3,6 +3,7 @@
 
 #include "error.h"
 #include "num/func.h"
+#include "num/num_vec.h"
 
 #include <stddef.h>
 
@@ -14,25 +15,6 @@ static num_t half(num_t a) {
 
 static num_t middle(const view_box_t *b, int axis) {
     return half(num_add(b->lo[axis], b->hi[axis]));
-}
-
-static num_t dot(const num_t a[3], const num_t b[3]) {
-    return num_add(num_add(num_mul(a[0], b[0]), num_mul(a[1], b[1])), num_mul(a[2], b[2]));
-}
-
-static void cross(const num_t a[3], const num_t b[3], num_t out[3]) {
-    for (int k = 0; k < 3; k++) {
-        int l = (k + 1) % 3, n = (k + 2) % 3;
-        out[k] = num_sub(num_mul(a[l], b[n]), num_mul(a[n], b[l]));
-    }
-}
-
-/* False if v has no length. */
-static bool normalise(num_t v[3]) {
-    num_t length = num_sqrt(dot(v, v));
-    if (length.undef || num_sign(length) <= 0) return false;
-    for (int k = 0; k < 3; k++) v[k] = num_div(v[k], length);
-    return true;
 }
 
 static int window_setup(page_window_t *w, const settings_t *s) {
@@ -50,7 +32,7 @@ static int window_setup(page_window_t *w, const settings_t *s) {
 /* Row `row` of the matrix := direction . (world - origin) * scale + offset * (row E). */
 static void set_row(camera_t *cam, int row, const num_t direction[3], const num_t origin[3], num_t scale) {
     for (int k = 0; k < 3; k++) cam->m[row][k] = num_mul(direction[k], scale);
-    cam->m[row][3] = num_neg(num_mul(dot(direction, origin), scale));
+    cam->m[row][3] = num_neg(num_mul(num_vec_dot(direction, origin), scale));
 }
 
 /* The largest scale at which the box's picture (rows right and up times world - origin) fits the window. */
@@ -166,15 +148,15 @@ static int setup_perspective(camera_t *cam, const settings_t *s, const view_box_
         cam->eye[k] = s->view.eye[k];
         forward[k] = num_sub(s->view.has_to ? s->view.to[k] : middle(box, k), cam->eye[k]);
     }
-    if (!normalise(forward)) return ERR_VALUE;
-    cross(forward, up, right);
-    if (!normalise(right)) { /* straight up or down: y is up on the page */
+    if (!num_vec_unit(forward)) return ERR_VALUE;
+    num_vec_cross(forward, up, right);
+    if (!num_vec_unit(right)) { /* straight up or down: y is up on the page */
         up[Y] = num_from_i64(1);
         up[Z] = num_from_i64(0);
-        cross(forward, up, right);
-        normalise(right);
+        num_vec_cross(forward, up, right);
+        num_vec_unit(right);
     }
-    cross(right, forward, up);
+    num_vec_cross(right, forward, up);
 
     const num_t one = num_from_i64(1);
     set_row(cam, 0, right, cam->eye, one);
@@ -236,5 +218,5 @@ int camera_setup(camera_t *cam, const settings_t *s, const view_box_t *box) {
 }
 
 void camera_project(const camera_t *cam, const num_t world[3], num_t out[3]) {
-    for (int r = 0; r < 3; r++) out[r] = num_add(dot(cam->m[r], world), cam->m[r][3]);
+    for (int r = 0; r < 3; r++) out[r] = num_add(num_vec_dot(cam->m[r], world), cam->m[r][3]);
 }

@@ -463,14 +463,14 @@ static bool try_scene(uint64_t seed, int objects, tally_t *n) {
 static void shadows_are_where_rays_end(void **state) {
     (void)state;
     tally_t n = {0};
-    uint64_t only, first = 0, count = cases_scaled(300);
+    uint64_t first, to;
     int wrong = 0;
     /* Corners too far off the page to have a picture; a needle's shadow; a face behind a seam, seen along it. */
     static const uint64_t hard[] = {467, 2215, 875, 1407, 938};
-    if (cases_only_seed(&only)) first = only, count = 1;
-    for (uint64_t seed = first; seed < first + count; seed++) wrong += !try_scene(seed, 3 + (int)(seed % 3), &n);
-    for (size_t k = 0; k < sizeof hard / sizeof *hard && count > 1; k++)
-        if (hard[k] >= count) wrong += !try_scene(hard[k], 3 + (int)(hard[k] % 3), &n);
+    assert_true(cases_seeds(0, cases_scaled(300), &first, &to));
+    for (uint64_t seed = first; seed < to; seed++) wrong += !try_scene(seed, 3 + (int)(seed % 3), &n);
+    for (size_t k = 0; k < sizeof hard / sizeof *hard && to - first > 1; k++)
+        if (hard[k] < first || hard[k] >= to) wrong += !try_scene(hard[k], 3 + (int)(hard[k] % 3), &n);
     print_message("# lights: %lld scenes (in %lld something is behind the eye; %lld left out), %lld of %lld places "
                   "wrong (%lld more seen edge-on), %lld of "
                   "%lld borders "
