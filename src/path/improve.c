@@ -27,9 +27,13 @@ typedef struct search {
     uint32_t random;
 } search_t;
 
+static int32_t length(const spot_t *spot, int32_t a, int32_t b) {
+    return (int32_t)dist_root(near_square(spot[a], spot[b]));
+}
+
 static int32_t gap(search_t *s, int32_t a, int32_t b) {
     s->t->budget--;
-    return (int32_t)dist_root(near_square(s->t->spot[a], s->t->spot[b]));
+    return length(s->t->spot, a, b);
 }
 
 static int32_t after(const tour_t *t, int32_t place) {
@@ -91,50 +95,63 @@ typedef struct change {
     int32_t gain, a, b, c, d, e, f;
 } change_t;
 
-/* Would joining a and c turn round more of the circle than it is worth? */
-static bool is_far(const tour_t *t, int32_t a, int32_t c) {
-    int32_t length = t->place[a >> 1] - t->place[c >> 1];
+/* Would joining strokes at these places turn round more of the circle than it is worth? */
+static bool is_far(const tour_t *t, int32_t p, int32_t q) {
+    int32_t length = p - q;
     if (length < 0) length = -length;
     return length > REVERSAL_MAX && t->n + 1 - length > REVERSAL_MAX;
 }
 
-/* saved: the links a - b and c - d without a - c. What would make the gain smaller is computed only while it can still
- * be the best. */
-static void try_two(search_t *s, change_t *best, int32_t c, int32_t d, int32_t gain) {
-    if (gain > best->gain) gain -= gap(s, best->b, d);
+/* 2-opt. saved: the links a - b and c - d without a - c. What would make the gain smaller is computed only while it can
+ * still be the best; returns how many distances that took. */
+static inline int32_t try_two(const tour_t *t, change_t *best, int32_t c, int32_t d, int32_t gain) {
+    if (gain <= best->gain) return 0;
+    gain -= length(t->spot, best->b, d);
     if (gain > best->gain) *best = (change_t){gain, best->a, best->b, c, d, -1, -1};
+    return 1;
 }
 
-static void try_segment(search_t *s, change_t *best, int32_t c, int32_t d, int32_t saved) {
+/* Or-opt: the segment from c, in place p, away from its link d. leaves: c is the end at which its stroke is left. */
+static inline int32_t try_segment(const tour_t *t, change_t *best, int32_t c, int32_t d, int32_t p, bool leaves,
+                                  int32_t saved) {
     const int32_t a = best->a, b = best->b;
+    int32_t took = 0;
     for (int32_t k = 0, start = c; k < SEGMENT_MAX; k++) {
-        if (start >> 1 == a >> 1 || start >> 1 == b >> 1) return;
-        int32_t e = start ^ 1, f = link_of(s->t, e), gain = saved + gap(s, e, f);
-        if (gain > best->gain) gain -= gap(s, e, b);
-        if (gain > best->gain) gain -= gap(s, d, f);
+        if (start >> 1 == a >> 1 || start >> 1 == b >> 1) break;
+        p = leaves ? before(t, p) : after(t, p);
+        const int32_t e = start ^ 1, f = leaves ? t->order[p] ^ 1 : t->order[p];
+        int32_t gain = saved + length(t->spot, e, f);
+        took++;
+        if (gain > best->gain) gain -= length(t->spot, e, b), took++;
+        if (gain > best->gain) gain -= length(t->spot, d, f), took++;
         if (gain > best->gain) *best = (change_t){gain, a, b, c, d, e, f};
         start = f;
     }
+    return took;
 }
 
 /* Looks among the items of one cell for a neighbour c of a that is nearer than its link, and tries the changes it
  * suggests. */
 static void find_in_cell(search_t *s, change_t *best, const near_cell_t *cell, int32_t ab) {
     const tour_t *t = s->t;
-    const int32_t a = best->a, b = best->b, *item = &t->near.item[cell->start];
+    const int32_t a = best->a, *item = &t->near.item[cell->start], place = t->place[a >> 1];
     const spot_t at = t->spot[a];
-    const uint32_t limit = near_square(at, t->spot[b]);
-    const bool out = is_exit(t, a);
-    int32_t count = cell->count < NEAR_CELL_SCAN ? (int32_t)cell->count : NEAR_CELL_SCAN;
-    s->t->budget -= count / 4;
+    const uint32_t limit = near_square(at, t->spot[best->b]);
+    const bool out = t->order[place] != a;
+    const int32_t count = cell->count < NEAR_CELL_SCAN ? (int32_t)cell->count : NEAR_CELL_SCAN;
+    int32_t took = count / 4;
     for (int32_t i = 0; i < count; i++) {
-        int32_t c = item[i];
-        if (near_square(at, t->spot[c]) >= limit || c >> 1 == a >> 1) continue;
-        if (is_far(t, a, c)) continue;
-        int32_t d = link_of(t, c), saved = ab - gap(s, a, c) + gap(s, c, d);
-        if (out == is_exit(t, c)) try_two(s, best, c, d, saved);
-        try_segment(s, best, c, d, saved);
+        const int32_t c = item[i], p = t->place[c >> 1];
+        const uint32_t square = near_square(at, t->spot[c]);
+        if (square >= limit || c >> 1 == a >> 1 || is_far(t, place, p)) continue;
+        const bool leaves = t->order[p] != c;
+        const int32_t d = leaves ? t->order[after(t, p)] : t->order[before(t, p)] ^ 1;
+        const int32_t saved = ab - (int32_t)dist_root(square) + length(t->spot, c, d);
+        took += 2;
+        if (out == leaves) took += try_two(t, best, c, d, saved);
+        took += try_segment(t, best, c, d, p, leaves, saved);
     }
+    s->t->budget -= took;
 }
 
 /* The best change for the end a. */
