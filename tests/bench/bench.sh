@@ -32,9 +32,10 @@ for shape in smooth random; do
     for n in $SIZES; do
         repeat=3
         [ "$n" -ge 100 ] && repeat=1
+        often=$((n < 400 ? 20 : n < 2000 ? 5 : 2)) # a plot takes us milliseconds, as little as the others' noise
         if [ -x "$B/host/ridgeline" ]; then
             { scene $shape "$n"; echo 'set view from 6,8,3'; echo 'splot f(x,y) with lines'; } >"$tmp/whole.gp"
-            t=$("$B/bench/cpu_time" $repeat "$B/host/ridgeline" plot "$tmp/whole.gp" -o "$tmp/whole.seg") &&
+            t=$("$B/bench/cpu_time" $often "$B/host/ridgeline" plot "$tmp/whole.gp" -o "$tmp/whole.seg") &&
                 echo "whole $shape $n $(facets_ns "$t" "$n")" >>"$out"
         fi
         most=200 # where a smooth plot takes gnuplot a second; on random heights it is four times slower at half the size
