@@ -258,11 +258,12 @@ static void cross(seams_t *t, const piece_t *a, const plane_t *pa, const piece_t
 static void cross_objects(seams_t *t, int32_t a, int32_t b) {
     box_t common;
     if (!t->cut) cut_faces(t);
+    if (t->full) return;
     for (int k = 0; k < 3; k++) {
         common.lo[k] = t->box[a].lo[k] > t->box[b].lo[k] ? t->box[a].lo[k] : t->box[b].lo[k];
         common.hi[k] = t->box[a].hi[k] < t->box[b].hi[k] ? t->box[a].hi[k] : t->box[b].hi[k];
     }
-    for (int32_t i = t->full ? INT32_MAX : first_from(t, a, common.lo[t->axis] - t->length[a]);
+    for (int32_t i = first_from(t, a, common.lo[t->axis] - t->length[a]);
          i < t->first[a + 1] && t->begin[i].at <= common.hi[t->axis] && !t->full; i++) {
         const piece_t *p = &t->piece[t->begin[i].index];
         if (!meet(&p->box, &common)) continue;
@@ -277,13 +278,13 @@ static void cross_objects(seams_t *t, int32_t a, int32_t b) {
 
 /* Vertices and edges with the seams' behind them. */
 static void append(seams_t *t, solid_t *s) {
-    solid_vertex_t *vertex = (solid_vertex_t *)(void *)t->low;
-    t->low += (((size_t)s->nv + 2 * (size_t)t->n) * sizeof *vertex + 7) & ~(size_t)7;
-    solid_edge_t *edge = (solid_edge_t *)(void *)t->low;
-    const size_t bytes = ((size_t)s->ne + (size_t)t->n) * sizeof *edge;
-    t->full |= t->low > t->high || bytes > (size_t)(t->high - t->low);
+    const size_t vertices = (((size_t)s->nv + 2 * (size_t)t->n) * sizeof(solid_vertex_t) + 7) & ~(size_t)7;
+    const size_t edges = ((size_t)s->ne + (size_t)t->n) * sizeof(solid_edge_t);
+    t->full |= vertices + edges > (size_t)(t->high - t->low);
     if (t->full) return;
-    t->low += bytes;
+    solid_vertex_t *vertex = (solid_vertex_t *)(void *)t->low;
+    solid_edge_t *edge = (solid_edge_t *)(void *)(t->low + vertices);
+    t->low += vertices + edges;
     memcpy(vertex, s->vertex, (size_t)s->nv * sizeof *vertex);
     memcpy(edge, s->edge, (size_t)s->ne * sizeof *edge);
     for (int32_t k = 0; k < t->n; k++) {

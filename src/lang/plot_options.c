@@ -188,6 +188,9 @@ int plot_options_moves(session_t *s, lexer_t *lx, affine_t *a, session_source_t 
 #endif
         {NULL, 0}
     };
+#if !CONFIG_AREA
+    (void)names;
+#endif
     static void (*const move[])(affine_t *, const num_t[3]) = {affine_translate, affine_rotate, affine_scale};
     for (int which; (which = words_find(words, lx)) >= 0;) {
         lexer_t word = *lx;

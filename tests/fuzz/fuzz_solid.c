@@ -5,12 +5,13 @@
 #include "error.h"
 #include "hidden/convex.h"
 #include "hidden/once.h"
+#include "hidden/seams.h"
 #include "scene/obj_reader.h"
 #include "view/cut.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-enum { POOL = 4096 };
+enum { POOL = 4096, SEAMS = 2000, VERTICES = POOL / 3 + 2 * SEAMS };
 
 typedef struct drawn {
     const solid_t *solid;
@@ -49,7 +50,7 @@ static void draw_once(solid_map_t *m, void *mem, size_t bytes) {
 }
 
 static void draw(const solid_t *s, const uint8_t *data) {
-    static uint64_t place[SOLID_MAP_BYTES(POOL / 3) / 8], kernel[60000];
+    static uint64_t place[SOLID_MAP_BYTES(VERTICES) / 8], kernel[60000];
     static solid_map_t map;
     settings_t set;
     camera_t cam;
@@ -99,6 +100,16 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     } else {
         err = solid_build(&solid, list, 1, lent, sizeof lent);
     }
-    if (!err) draw(&solid, data);
+    if (err) return 0;
+    draw(&solid, data);
+    /* with the lines in which its bodies meet, in memory that may be too small */
+    static uint64_t more[SEAMS * 12];
+    const int32_t edges = solid.ne;
+    const size_t room = data[0] & 4 ? (size_t)data[3] * 64 : sizeof more;
+    size_t kept = 0;
+    solid_free_details(&solid);
+    err = seams_add(&solid, more, room, &kept);
+    if (kept > room || (err && err != ERR_FULL) || solid.ne < edges || solid.nv > VERTICES) abort();
+    if (!err && kept > 0) draw(&solid, data);
     return 0;
 }
