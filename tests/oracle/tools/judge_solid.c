@@ -195,10 +195,9 @@ static void put_line(bins_t *b, const double a[2], const double e[2], int item) 
     const int n = 32 * (abs(cell_of(0, a[0]) - cell_of(0, e[0])) + abs(cell_of(1, a[1]) - cell_of(1, e[1]))) + 1;
     for (int k = 0; k <= n; k++) {
         const double t = (double)k / n, x = a[0] + t * (e[0] - a[0]), y = a[1] + t * (e[1] - a[1]);
-        for (int i = 0; i < 4; i++) {
-            const double m = 2 * STEP;
-            put(b, cell_of(0, x + (i & 1 ? m : -m)), cell_of(1, y + (i & 2 ? m : -m)), item);
-        }
+        const double m = 2 * STEP;
+        for (int cy = cell_of(1, y - m); cy <= cell_of(1, y + m); cy++)
+            for (int cx = cell_of(0, x - m); cx <= cell_of(0, x + m); cx++) put(b, cx, cy, item);
     }
 }
 
