@@ -12,6 +12,9 @@
  * If so many sweeps were not enough, edges are also drawn to vertices within half a unit, which lets them coincide. */
 #define SWEEPS_WITHOUT_SNAP 2
 
+/* Polygons with so many edges together may well have stretches of border that meet nothing. */
+#define LARGE 1000
+
 static int lay_out(clip_t *c, void *mem, size_t bytes) {
     if (bytes > INT32_MAX) bytes = INT32_MAX;
     size_t status = bytes / STATUS_SHARE / sizeof(int32_t), heap = bytes / HEAP_SHARE / sizeof(clip_seg_t);
@@ -89,10 +92,6 @@ static void again(clip_t *c) {
     if (c->snap) clip_snap_columns(c);
 }
 
-static void prepare(clip_t *c, const clip_job_t *job) {
-    *c = (clip_t){.fill = job->fill, .result = {job->result[0], job->result[1]}};
-}
-
 /* The n segments at the start of `in`, split where they cross and sorted, go to the end of the memory; then sweeps. */
 static int run(clip_t *c, int32_t n) {
     clip_sort(c->in, n, c->in + n);
@@ -111,19 +110,18 @@ static int run(clip_t *c, int32_t n) {
     }
 }
 
-int clip_run_by_edges(clip_t *c, const clip_job_t *job, void *mem, size_t bytes) {
-    prepare(c, job);
-    int err = lay_out(c, mem, bytes);
+int clip_run_by(clip_t *c, const clip_job_t *job, void *mem, size_t bytes, bool stretches) {
+    *c = (clip_t){.fill = job->fill, .result = {job->result[0], job->result[1]}};
+    size_t left = bytes;
+    int32_t n = stretches ? clip_find_stretches(c, job, mem, &left) : 0;
+    if (n == 0) c->stretches = 0;
+    int err = lay_out(c, mem, n > 0 ? left : bytes);
     if (err) return err;
-    int32_t n = read_edges(c, job);
+    if (n == 0) n = read_edges(c, job);
     return n < 0 ? n : run(c, n);
 }
 
 int clip_run(clip_t *c, const clip_job_t *job, void *mem, size_t bytes) {
-    prepare(c, job);
-    size_t left = bytes;
-    int32_t n = clip_find_stretches(c, job, mem, &left);
-    if (n == 0) return clip_run_by_edges(c, job, mem, bytes);
-    int err = lay_out(c, mem, left);
-    return err ? err : run(c, n);
+    bool large = poly_vertices(&job->subject) + poly_vertices(&job->clip) >= LARGE;
+    return clip_run_by(c, job, mem, bytes, large);
 }

@@ -69,8 +69,8 @@ static inline bool clip_in_range(poly_point_t a) {
  * stretch and stretches, and takes these off the bytes. Returns how many segments there are, or 0: not worth it, or
  * something is wrong. */
 int32_t clip_find_stretches(clip_t *c, const clip_job_t *job, void *mem, size_t *bytes);
-/* The same as clip_run without that. */
-int clip_run_by_edges(clip_t *c, const clip_job_t *job, void *mem, size_t bytes);
+/* clip_run with that, if it is worth it, or without; so the two can be compared. */
+int clip_run_by(clip_t *c, const clip_job_t *job, void *mem, size_t bytes, bool stretches);
 static inline clip_stretch_t clip_stretch_of(const clip_t *c, const clip_seg_t *s) {
     return c->stretch[s->tag - CLIP_STRETCH - 1];
 }

@@ -11,8 +11,8 @@
  * Where this saves little, because borders turn all the time or meet everywhere, it gives up early. */
 #include "poly/clip_inner.h"
 
-#define CUT_IN 4
-#define LONGEST 16 /* edges, a power of CUT_IN; where there are many: */
+#define CUT_IN 2
+#define LONGEST 8 /* edges, a power of CUT_IN; where there are many: */
 #define LONGEST_OF_MANY 64
 #define MANY 16384
 /* Worth it only where a stretch has so many edges on average, and decided by so many comparisons of boxes for each, and
@@ -20,7 +20,6 @@
 #define WORTHWHILE 3
 #define COMPARISONS 64
 #define AT_FIRST 4096
-#define FEW 64 /* edges */
 
 /* A stretch while it is looked for is its box, l to r; tag is its first vertex, w its edges and what is known. */
 enum { EDGES, KNOWN };
@@ -186,7 +185,7 @@ static bool is_tall(const poly_vertex_t *v, int32_t n) {
 int32_t clip_find_stretches(clip_t *c, const clip_job_t *job, void *mem, size_t *bytes) {
     int32_t edges = poly_vertices(&job->subject) + poly_vertices(&job->clip);
     int32_t contours = job->subject.contours + job->clip.contours, room = edges + contours;
-    if (edges < FEW || contours > edges / 8 || *bytes < CLIP_BYTES(edges)) return 0;
+    if (contours > edges / 8 || *bytes < CLIP_BYTES(edges)) return 0;
     /* Segments from the start of the memory on, copies of the vertices at its end and stretches before them: */
     c->v = (poly_vertex_t *)mem + *bytes / sizeof(poly_vertex_t) - room;
     c->stretch = (clip_stretch_t *)mem + ((size_t)((uint8_t *)c->v - (uint8_t *)mem) / sizeof(clip_stretch_t));

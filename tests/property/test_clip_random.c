@@ -296,12 +296,12 @@ static const char *judge_large(enum clip_fill fill, bool slabs, bool *stretched)
     clip_t work;
     for (int k = 0; k < 6; k += 2) {
         const clip_job_t job = {subject.poly, clip.poly, fill, {TABLE[k], TABLE[k + 1]}};
-        if (clip_run_by_edges(&work, &job, memory, sizeof memory)) return "error";
+        if (clip_run_by(&work, &job, memory, sizeof memory, false)) return "error";
         for (int i = 0; i < 2; i++) {
             clear(&plain[i]);
             if (clip_trace(&work, i, &plain[i].out)) return "error";
         }
-        if (clip_run(&work, &job, memory, sizeof memory)) return "error";
+        if (clip_run_by(&work, &job, memory, sizeof memory, true)) return "error";
         *stretched = work.stretches > 0;
         for (int i = 0; i < 2; i++) {
             shape_t *r = &result[k + i];
