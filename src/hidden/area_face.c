@@ -137,6 +137,15 @@ int32_t area_face_place(const area_lattice_t *l, const solid_face_t *f, const in
     return n;
 }
 
+/* Each hole is joined to the first corner, which comes again (obj_reader.c); it is the last one of a face that was
+ * turned round. */
+static bool has_holes(const solid_t *s, const solid_face_t *f) {
+    const int32_t *v = s->corner + f->corner, last = f->n - 1;
+    for (int32_t k = 1; k < last; k++)
+        if (v[k] == v[0] || v[k] == v[last]) return true;
+    return false;
+}
+
 static bool is_before(const area_face_t *a, const area_face_t *b) {
     return a->z_near != b->z_near ? a->z_near < b->z_near : a->face < b->face;
 }
@@ -170,7 +179,7 @@ int area_faces_make(area_faces_t *faces, int32_t *corner_edge, uint8_t *state, a
         if (through) continue;
         int32_t n = area_face_place(l, &s->face[k], corner_edge, v, scratch, AREA_CORNERS(l->clips, most));
         if (n < 0) return n;
-        *f = (area_face_t){.face = k, .first = faces->vertices, .n = n};
+        *f = (area_face_t){.face = k, .first = faces->vertices, .n = n, .holed = has_holes(s, &s->face[k])};
         if (n < 3 || !span(l, f, v, scratch)) continue;
         f->box = area_box_of(v, n);
         const poly_t whole = {v, &f->n, 1};

@@ -23,6 +23,7 @@ typedef struct area_face {
     area_plane_t plane;
     int64_t slope, slack; /* area_plane_slope(); area_slack() at z_near */
     bool deep;            /* its slack differs much from place to place */
+    bool holed;           /* then edges of it may cancel each other */
     bool on_stack;
 } area_face_t;
 

@@ -67,12 +67,15 @@ static area_box_t box_of(poly_point_t a, poly_point_t b) {
     return (area_box_t){a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.x < b.x ? b.x : a.x, a.y < b.y ? b.y : a.y};
 }
 
-/* Does the edge from a to b pass v, which is in its box, by less than `near` along the shorter of its extents? */
-static bool passes(poly_point_t a, poly_point_t b, poly_point_t v, int32_t near) {
-    if (poly_same(a, v) || poly_same(b, v)) return false;
+/* Does the edge from a to b hit v, which is in its box, or pass it by less than `near` along the shorter of its
+ * extents?
+ */
+enum { FAR, PASSES, HITS };
+static int passes(poly_point_t a, poly_point_t b, poly_point_t v, int32_t near) {
+    if (poly_same(a, v) || poly_same(b, v)) return FAR;
     uint64_t dx = ints_abs64((int64_t)b.x - a.x), dy = ints_abs64((int64_t)b.y - a.y);
     uint64_t off = ints_abs64(poly_orient(a, b, v));
-    return off != 0 && off <= (uint64_t)near * (dx > dy ? dx : dy);
+    return off == 0 ? HITS : off <= (uint64_t)near * (dx > dy ? dx : dy) ? PASSES : FAR;
 }
 
 static int64_t along(poly_point_t a, poly_point_t b, poly_point_t v) {
@@ -89,7 +92,7 @@ static bool is_near(const poly_t *p, const poly_t *other, const area_box_t *comm
             if (box.x1 >= common->x0 - near && box.x0 <= common->x1 + near && box.y1 >= common->y0 - near &&
                 box.y0 <= common->y1 + near)
                 for (int32_t k = 0; k < poly_vertices(other); k++)
-                    if (in_box(&box, other->v[k].at, near) && passes(a, b, other->v[k].at, near)) return true;
+                    if (in_box(&box, other->v[k].at, near) && passes(a, b, other->v[k].at, near) == PASSES) return true;
             a = b;
         }
     }
@@ -112,7 +115,8 @@ static void join(poly_vertex_t *v, int32_t n, const poly_t *other, const area_bo
     }
 }
 
-/* Copies p with each of other's vertices that its edges pass. */
+/* Copies p with each of other's vertices that its edges pass; and hit, since an edge that is bent to one might miss the
+ * next. */
 static int thread(const poly_t *p, const poly_t *other, int32_t near, builder_t *to, int32_t *end) {
     for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++]) {
         for (int32_t i = first; i < p->end[c]; i++) {
@@ -124,7 +128,7 @@ static int thread(const poly_t *p, const poly_t *other, int32_t near, builder_t 
             int64_t length = along(a, b, b);
             for (int32_t k = 0; k < poly_vertices(other); k++) {
                 poly_point_t v = other->v[k].at;
-                if (!in_box(&box, v, near) || !passes(a, b, v, near)) continue;
+                if (!in_box(&box, v, near) || passes(a, b, v, near) == FAR) continue;
                 int64_t at = along(a, b, v);
                 if (at <= 0 || at >= length) continue;
                 if (to->n == to->most) return ERR_FULL;

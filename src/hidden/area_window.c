@@ -1,5 +1,6 @@
 /* area_window.c - see area.h: memory, and the subdivision of the screen and of depth that bounds it. */
 #include "hidden/area_sort.h"
+#include "hidden/area_weld.h"
 #include "hidden/area_wires.h"
 
 #include "error.h"
@@ -17,7 +18,27 @@ static void corners_of(const area_box_t *w, poly_vertex_t v[4]) {
     v[3] = (poly_vertex_t){{w->x0, w->y1}, POLY_CUT};
 }
 
-/* All pieces of faces in a window; those that it cuts are cut. */
+static bool is_within(const area_face_t *f, const area_box_t *w) {
+    return f->box.x0 >= w->x0 && f->box.y0 >= w->y0 && f->box.x1 <= w->x1 && f->box.y1 <= w->y1;
+}
+
+/* What of face k lies in a polygon, as a piece; AREA_NONE if nothing does. Where a hole runs along the outer contour,
+ * or along another hole, they are made to coincide, so that nothing is left between them. */
+static int32_t face_in(area_t *a, int32_t k, const poly_t *by, int *err) {
+    const area_face_t *f = &a->faces.face[k];
+    clip_job_t job = {{a->faces.vertex + f->first, &f->n, 1}, *by, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_NOTHING}};
+    area_weld_t w;
+    size_t used = 0;
+    *err = 0;
+    if (f->holed) {
+        *err = area_weld(&w, &job.subject, &f->box, &job.subject, &f->box, a->clip_mem, a->clip_bytes, &used);
+        if (!*err) job.subject = w.subject;
+    }
+    if (!*err) *err = clip_run(&a->clip, &job, (uint8_t *)a->clip_mem + used, a->clip_bytes - used);
+    return *err ? AREA_NONE : area_pool_clipped(&a->pool, k, &a->clip, 0, err);
+}
+
+/* All pieces of faces in a window; those that it cuts are cut, and holes become contours. */
 static int fill(area_t *a, const area_box_t *w, area_list_t *list) {
     poly_vertex_t corner[4];
     const int32_t end = 4;
@@ -29,14 +50,11 @@ static int fill(area_t *a, const area_box_t *w, area_list_t *list) {
         if (!area_boxes_meet(&f->box, w)) continue;
         int err = 0;
         int32_t piece = AREA_NONE;
-        if (f->box.x0 >= w->x0 && f->box.y0 >= w->y0 && f->box.x1 <= w->x1 && f->box.y1 <= w->y1) {
+        if (is_within(f, w) && !f->holed) {
             piece = area_pool_whole(&a->pool, k);
             if (piece == AREA_NONE) return ERR_FULL;
         } else {
-            const clip_job_t job = {
-                {a->faces.vertex + f->first, &f->n, 1}, {corner, &end, 1}, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_NOTHING}};
-            err = clip_run(&a->clip, &job, a->clip_mem, a->clip_bytes);
-            if (!err) piece = area_pool_clipped(&a->pool, k, &a->clip, 0, &err);
+            piece = face_in(a, k, &(poly_t){corner, &end, 1}, &err);
             if (err) return err;
         }
         if (piece != AREA_NONE) area_list_add(&a->pool, list, piece);
@@ -101,10 +119,7 @@ static int32_t cut_at(area_t *a, int32_t k, const poly_t *p, int64_t z, bool nea
 /* The piece of face k in a box of what is open. AREA_NONE if there is none. */
 static int32_t piece_in_box(area_t *a, int32_t k, int64_t near, int64_t far, int *err) {
     const area_face_t *f = &a->faces.face[k];
-    const clip_job_t job = {
-        {a->faces.vertex + f->first, &f->n, 1}, *a->open, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_NOTHING}};
-    *err = clip_run(&a->clip, &job, a->clip_mem, a->clip_bytes);
-    int32_t piece = *err ? AREA_NONE : area_pool_clipped(&a->pool, k, &a->clip, 0, err);
+    int32_t piece = face_in(a, k, a->open, err);
     for (int end = 0; end < 2 && piece != AREA_NONE; end++) {
         if (end ? f->z_far <= far : f->z_near >= near) continue;
         const poly_t whole = area_pool_poly(&a->pool, piece);

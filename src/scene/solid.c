@@ -97,6 +97,14 @@ static int choose_scale(solid_t *s) {
         if (half.m != 0 && half.e + 63 > bits) bits = half.e + 63; /* half < 2^(e + 63) */
     }
     s->shift = bits == INT32_MIN ? 0 : SOLID_BITS - 1 - bits;
+    /* A needle seen from its end may fill the page, and the rounding of its vertices must not take them off it. */
+    const num_t thin = num_ldexp(num_from_i64(1), 21 - s->shift), rounding = num_ldexp(num_from_i64(1), -1 - s->shift);
+    for (int axis = 0; axis < 3; axis++) {
+        num_t *lo = &s->lo[axis], *hi = &s->hi[axis], span = num_sub(*hi, *lo);
+        if (num_sign(span) <= 0 || num_cmp(span, thin) >= 0) continue;
+        *lo = num_sub(*lo, rounding);
+        *hi = num_add(*hi, rounding);
+    }
     return 0;
 }
 

@@ -74,7 +74,7 @@ typedef struct solid {
     const solid_face_t *face;
     const int32_t *corner; /* vertices */
     const solid_object_t *object;
-    num_t lo[3], hi[3]; /* the box, in the files' coordinates */
+    num_t lo[3], hi[3]; /* the box, in the files' coordinates; with the rounding of vertices where it is thin */
     num_t origin[3];    /* coordinate = origin + at * 2^-shift */
     int32_t shift;
     size_t bytes; /* of the lent memory that stay in use */

@@ -1,5 +1,6 @@
 /* The area sort's hard cases, each from several sides and judged by rays: cyclic overlap of two and of many, faces in
- * one plane, slivers, walls that meet flush, needles near the eye. */
+ * one plane, slivers, walls that meet flush, needles near the eye, holes that touch their outer contour or each other.
+ */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,6 +13,7 @@
 
 #include "error.h"
 #include "tests/oracle/num_of.h"
+#include "tests/oracle/page_ink.h"
 #include "tests/oracle/run_cases.h"
 #include "tests/oracle/solid_scenes.h"
 
@@ -170,6 +172,126 @@ static void cuts_are_reported(void **state) {
     assert_true(judge_around("a cut", &s, false) > 150);
 }
 
+/* ---- holes ---- */
+
+/* A face of contours, the first one outer, over the plane z = slope x: each hole is joined to it by a cut gone along
+ * both ways, as the OBJ reader does it. */
+typedef struct outline {
+    int n;
+    double xy[12][2];
+} outline_t;
+
+static void holed(solid_ref_t *r, const outline_t *contour, int contours, double slope) {
+    int v[64], n = 0;
+    for (int c = 0; c < contours; c++) {
+        if (c > 0) v[n++] = v[0];
+        int first = n;
+        for (int k = 0; k < contour[c].n; k++) {
+            const double *p = contour[c].xy[k];
+            v[n++] = solid_ref_vertex(r, p[0], p[1], slope * p[0]);
+        }
+        if (c > 0) v[n++] = v[first];
+    }
+    solid_ref_face(r, v, n);
+}
+
+/* What is behind, in front of and in the holes of it. */
+static void surroundings(solid_ref_t *r) {
+    static const double back[][3] = {{-1, 1, -2.05}, {9, 2, -1.55}, {8, 7, -1.6}, {0, 6, -2}},
+                        front[][3] = {{1, -1, 3.9}, {2, -1, 3.9}, {2.5, 9, 4.9}, {1.5, 9, 4.9}};
+    polygon(r, back, 4);
+    polygon(r, front, 4);
+    box(r, 2.4, 2.3, -1, 0.5, 0.5, 4);
+}
+
+static const outline_t square = {4, {{0, 0}, {8, 0}, {8, 8}, {0, 8}}};
+
+static void holes_touch_in_points(void **state) {
+    (void)state;
+    static const outline_t holes[][3] = {
+        {square, {3, {{0, 4}, {5, 2}, {5, 6}}}},                                                /* on an edge */
+        {square, {4, {{0, 0}, {4, 2}, {4, 4}, {2, 4}}}},                                        /* in a corner */
+        {square, {4, {{0, 0}, {6, 2}, {8, 8}, {2, 6}}}},                                        /* in two corners */
+        {square, {4, {{2, 2}, {4, 2}, {4, 4}, {2, 4}}}, {4, {{4, 4}, {6, 4}, {6, 6}, {4, 6}}}}, /* each other */
+        {square, {4, {{0, 4}, {4, 2}, {8, 4}, {4, 6}}}, {4, {{4, 6}, {5, 7}, {4, 8}, {3, 7}}}}, /* all of it */
+        {square, {4, {{1, 1}, {7, 1}, {7, 7}, {1, 7}}}, {4, {{1, 4}, {4, 1}, {7, 4}, {4, 7}}}}, /* one in another */
+    };
+    for (size_t k = 0; k < sizeof holes / sizeof holes[0]; k++)
+        for (int inside = 0; inside < 2; inside++) {
+            solid_scene_t s = {0};
+            holed(&s.ref, holes[k], holes[k][2].n ? 3 : 2, 0.2);
+            surroundings(&s.ref);
+            char name[40];
+            snprintf(name, sizeof name, "holes that touch, %d%s", (int)k, inside ? ", from inside" : "");
+            judge_around(name, &s, inside);
+        }
+}
+
+/* All ink of a scene, from one side. */
+static page_ink_t ink_of(solid_scene_t *s, int x, int z) {
+    solid_stage_t t;
+    settings_default(&s->set);
+    s->set.view.rot_x = num_from_i64(x);
+    s->set.view.rot_z = num_from_i64(z);
+    assert_int_equal(solid_stage_make(&t, s, true), 0);
+    page_ink_t ink = {.space = &t.map.lines};
+    assert_int_equal(solid_stage_draw(&t, &(ink_sink_t){&ink, page_ink_take}), 0);
+    solid_stage_free(&t);
+    return ink;
+}
+
+/* A hole along an edge is a notch: the same drawing as of the polygon that has one. */
+static void a_hole_along_an_edge_is_a_notch(void **state) {
+    (void)state;
+    static const struct {
+        int contours;
+        outline_t hole[3], notched;
+    } cases[] = {
+        {2,
+         {square, {4, {{0, 3}, {4, 3}, {4, 5}, {0, 5}}}},
+         {8, {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 5}, {4, 5}, {4, 3}, {0, 3}}}},
+        {2, {square, {4, {{0, 0}, {3, 0}, {3, 2}, {0, 2}}}}, {6, {{3, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 2}, {3, 2}}}},
+        {2, {square, {4, {{0, 0}, {8, 0}, {8, 2}, {0, 2}}}}, {4, {{0, 2}, {8, 2}, {8, 8}, {0, 8}}}},
+        {3,
+         {square, {4, {{0, 2}, {3, 2}, {3, 4}, {0, 4}}}, {4, {{0, 4}, {3, 4}, {3, 6}, {0, 6}}}},
+         {8, {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 6}, {3, 6}, {3, 2}, {0, 2}}}},
+    };
+    const double near_mm = CASES_END_STEPS * JUDGE_STEP_MM;
+    double worst = 0, length = 0;
+    int views = 0;
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        solid_scene_t a = {0}, b = {0};
+        holed(&a.ref, cases[k].hole, cases[k].contours, 0.2);
+        holed(&b.ref, &cases[k].notched, 1, 0.2);
+        surroundings(&a.ref);
+        surroundings(&b.ref);
+        for (int x = 0; x <= 180; x += 15)
+            for (int z = 0; z < 360; z += 24) {
+                page_ink_t p = ink_of(&a, x, z), q = ink_of(&b, x, z);
+                double off = fmax(page_lines_uncovered(&p.lines, &q.lines, near_mm),
+                                  page_lines_uncovered(&q.lines, &p.lines, near_mm));
+                if (off > CASES_RUN_MM) fail_msg("notch %d from %d,%d: %g mm differ", (int)k, x, z, off);
+                worst = fmax(worst, off);
+                length += page_lines_length(&p.lines);
+                views++;
+                page_lines_free(&p.lines);
+                page_lines_free(&q.lines);
+            }
+        solid_scene_free(&a);
+        judge_around("a notch", &b, false);
+    }
+    assert_true(length > 0);
+    print_message("# area sort, holes along an edge and notches: %d views, %.1f m, runs that differ %.4f mm\n", views,
+                  length / 1e3, worst);
+}
+
+static void a_needle_seen_from_its_end_fills_the_page(void **state) {
+    (void)state;
+    solid_scene_t s = {0};
+    box(&s.ref, 0.78130257267132908, -2.3769730647190506, 0.63550474263457746, 0.0017, 0.0017512, 2.69);
+    judge_around("a needle from its end", &s, false);
+}
+
 /* Polygons as large as the picture, one behind the other: to halve windows helps nothing. */
 static void depth_is_divided_where_memory_is_short(void **state) {
     (void)state;
@@ -217,6 +339,9 @@ int main(void) {
         cmocka_unit_test(flush_walls_leave_no_cracks),
         cmocka_unit_test(needles_reach_behind_the_eye),
         cmocka_unit_test(cuts_are_reported),
+        cmocka_unit_test(holes_touch_in_points),
+        cmocka_unit_test(a_hole_along_an_edge_is_a_notch),
+        cmocka_unit_test(a_needle_seen_from_its_end_fills_the_page),
         cmocka_unit_test(depth_is_divided_where_memory_is_short),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -80,6 +80,14 @@ static void add_edge(solid_ref_t *r, int a, int b) {
     r->edge[r->ne++][1] = b;
 }
 
+/* Is edge k of a face there twice: the cut that joins a hole to its outer contour? That is no line. */
+static bool is_cut(const solid_ref_t *r, int f, int k) {
+    int n = r->first[f + 1] - r->first[f], count = 0;
+    const int *c = r->corner + r->first[f];
+    for (int i = 0; i < n; i++) count += same(r, c[i], c[(k + 1) % n]) && same(r, c[(i + 1) % n], c[k]);
+    return count > 0;
+}
+
 /* Corners that differ from the one before. */
 static int distinct(const solid_ref_t *r, int f) {
     int n = r->first[f + 1] - r->first[f], count = 0;
@@ -98,7 +106,8 @@ void solid_ref_finish(solid_ref_t *r) {
     for (int f = 0; f < r->nf; f++) {
         int n = r->first[f + 1] - r->first[f];
         const int *c = r->corner + r->first[f];
-        for (int k = 0; k < n && distinct(r, f) >= 3; k++) add_edge(r, c[k], c[(k + 1) % n]);
+        for (int k = 0; k < n && distinct(r, f) >= 3; k++)
+            if (!is_cut(r, f, k)) add_edge(r, c[k], c[(k + 1) % n]);
     }
     for (int k = 0; k < r->nl; k++) add_edge(r, r->line[k][0], r->line[k][1]);
 }

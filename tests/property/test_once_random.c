@@ -13,7 +13,7 @@
 #include "hidden/convex.h"
 #include "hidden/once.h"
 #include "hidden/wires.h"
-#include "tests/oracle/page_lines.h"
+#include "tests/oracle/page_ink.h"
 #include "tests/oracle/run_cases.h"
 #include "tests/oracle/solid_scenes.h"
 #include "view/cut.h"
@@ -24,24 +24,6 @@
 #define LEAST_MM (1.5 * ONCE_LEAST_LAT * LAT_MM)
 #define END_MM (6 * ONCE_FLAT_LAT * LAT_MM) /* slivers */
 
-typedef struct ink {
-    const line_space_t *space;
-    page_lines_t lines;
-} ink_t;
-
-static int take(void *ctx, const ink_piece_t *p) {
-    ink_t *i = ctx;
-    double at[2][2];
-    for (int k = 0; k < 2; k++) {
-        page_h_t h;
-        if (!i->space->at(i->space->ctx, p->family, p->line, k ? p->to : p->from, &h) || h.e <= 0) return 0;
-        at[k][0] = (double)h.x / (double)h.e * LAT_MM;
-        at[k][1] = (double)h.y / (double)h.e * LAT_MM;
-    }
-    page_lines_add(&i->lines, (page_line_t){at[0][0], at[0][1], at[1][0], at[1][1]});
-    return 0;
-}
-
 typedef struct account {
     int64_t scenes, grouped;
     double bare, invented, twice, before_mm, after_mm, twice_before;
@@ -51,9 +33,9 @@ enum { SEEN, HIDDEN };
 enum kernel { DASHED, PLAIN, WIRES };
 
 /* With once (or NULL for without) into ink[SEEN] and ink[HIDDEN]. */
-static int draw(solid_stage_t *t, enum kernel kernel, once_t *once, ink_t ink[2]) {
-    for (int k = 0; k < 2; k++) ink[k] = (ink_t){.space = &t->map.lines};
-    cut_t cut[2] = {{&t->map.lines, {&ink[SEEN], take}}, {&t->map.lines, {&ink[HIDDEN], take}}};
+static int draw(solid_stage_t *t, enum kernel kernel, once_t *once, page_ink_t ink[2]) {
+    for (int k = 0; k < 2; k++) ink[k] = (page_ink_t){.space = &t->map.lines};
+    cut_t cut[2] = {{&t->map.lines, {&ink[SEEN], page_ink_take}}, {&t->map.lines, {&ink[HIDDEN], page_ink_take}}};
     const ink_sink_t seen = cut_sink(&cut[SEEN]), hidden = cut_sink(&cut[HIDDEN]);
     uint8_t *mem = t->mem[2];
     size_t bytes = t->bytes, kept = 0;
@@ -73,7 +55,7 @@ static int draw(solid_stage_t *t, enum kernel kernel, once_t *once, ink_t ink[2]
 }
 
 static bool judge(solid_stage_t *t, enum kernel kernel, account_t *a) {
-    ink_t raw[2], ink[2];
+    page_ink_t raw[2], ink[2];
     page_lines_t both = {0};
     once_t once;
     if (draw(t, kernel, NULL, raw) || draw(t, kernel, &once, ink)) return false;
