@@ -150,6 +150,13 @@ _Static_assert(CONFIG_PARTS >= 64 && CONFIG_PARTS <= 4096, "lang/parts.h, lang/h
 #define CONFIG_SPEED_UM_S 100000
 #endif
 
+/* Pieces of ink that may wait for the kernel's next pause (20 bytes each; more if a drawing needs them). 0: what is
+ * joined, ordered and drawn is so in the midst of a facet, which takes 1 KB of stack more, but then a drawing that is
+ * sure to fit need not be tried first. */
+#ifndef CONFIG_WAITING
+#define CONFIG_WAITING 0
+#endif
+
 /* Drawing while the picture is still being computed: runs of ink that may wait for the machine (20 bytes each; 0: all
  * is ordered first), what hiding a facet takes at most, and ordering a run (us). */
 #ifndef CONFIG_OUTBOX

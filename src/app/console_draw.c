@@ -54,12 +54,18 @@ static int too_large(const console_t *c, const plot_t *plot) {
 
 /* The first division of the memory that the scene gets through with. */
 static int find_share(console_t *c, const plot_t *plot, void *memory, picture_hooks_t *hooks) {
-    if (picture_is_safe(plot, c->picture_bytes)) return 0;
-    for (int share = 0; share < PICTURE_SHARES; share++) {
+    if (picture_pauses(plot)) hooks->waiting = CONFIG_WAITING;
+    if (hooks->waiting == 0 && picture_is_safe(plot, c->picture_bytes)) return 0;
+    for (int share = 0; share < PICTURE_SHARES;) {
         hooks->share = (enum picture_share)share;
         int err = picture_try(&c->picture, plot, memory, c->picture_bytes, hooks);
         if (c->realtime.cancelled) return ERR_STOPPED;
-        if (err != ERR_FULL) return err;
+        if (!err && c->picture.pieces_most > hooks->waiting)
+            hooks->waiting = c->picture.pieces_most; /* once more, to see whether they have room */
+        else if (err != ERR_FULL)
+            return err;
+        else
+            share++;
     }
     return too_large(c, plot);
 }

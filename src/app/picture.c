@@ -49,6 +49,7 @@ static bool is_grid(const plot_t *plot) {
 
 void *picture_kernel_memory(picture_t *p, size_t *bytes) {
     size_t left = arena_left(&p->arena), least = PATH_BYTES_MIN + 32;
+    if (p->hooks) least += WAITING_BYTES(p->hooks->waiting) + 16;
     enum picture_share share = p->hooks ? p->hooks->share : PICTURE_SHARE_USUAL;
     *bytes = left / kernel_part(p->arena.bytes);
     if (p->arena.bytes >=
@@ -100,8 +101,23 @@ static bool ink_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, 
 }
 
 static int drop_ink(void *ctx, const ink_piece_t *piece) {
-    (void)ctx, (void)piece;
+    picture_t *p = ctx;
+    (void)piece;
+    if (++p->pieces > p->pieces_most && p->pauses) p->pieces_most = p->pieces;
     return 0;
+}
+
+static int pause_kernel(void *ctx) {
+    picture_t *p = ctx;
+    p->pieces = 0;
+    return p->trial ? 0 : waiting_pause(&p->waiting);
+}
+
+const hidden_pause_t *picture_pause(picture_t *p) {
+    if (CONFIG_WAITING == 0 || !p->hooks || p->hooks->waiting == 0) return NULL;
+    p->pauses = true;
+    p->pause = (hidden_pause_t){p->trial ? &p->trial : &p->waiting.some, pause_kernel, p};
+    return &p->pause;
 }
 
 int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t runs) {
@@ -112,6 +128,11 @@ int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t r
     path_default(&config, coarse);
     config.lines = growing;
     if (p->hooks && !p->trial) config.feed = p->hooks->feed;
+    if (p->pauses) {
+        const int32_t cap = p->hooks->waiting;
+        p->waiting = (waiting_t){.run = arena_take(&p->arena, WAITING_BYTES(cap)), .cap = cap};
+        if (!p->waiting.run) return ERR_FULL;
+    }
     size_t bytes = arena_left(&p->arena) - 15;
     if (runs < (int64_t)(bytes / PATH_BYTES_PER_RUN)) {
         size_t enough = PATH_BYTES((size_t)runs + POOL_RUNS_MIN, (size_t)growing * 2) * 8 / 7;
@@ -125,11 +146,15 @@ int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t r
 
     bool inside = true;
     for (int32_t k = 0; k < p->spaces; k++) inside = inside && p->lines[k].all_inside;
-    p->cut = (cut_t){p->lines, p->trial ? (ink_sink_t){NULL, drop_ink} : path_sink(&p->path)};
+    p->cut = (cut_t){p->lines, p->trial ? (ink_sink_t){p, drop_ink} : path_sink(&p->path)};
 #if CONFIG_AREA
     if (p->pens.now) p->cut.next = pens_ink(&p->pens, p->cut.next);
 #endif
-    p->sink = inside ? p->cut.next : cut_sink(&p->cut);
+    p->sink = inside || p->trial ? p->cut.next : cut_sink(&p->cut);
+    if (p->pauses && !p->trial) {
+        p->waiting.next = p->sink;
+        p->sink = waiting_sink(&p->waiting);
+    }
     picture_tell(p, PICTURE_HIDE, 0, 1);
     return 0;
 }
@@ -142,7 +167,8 @@ void picture_hidden(picture_t *p, int32_t done, int32_t of, int32_t facets) {
 int picture_close(picture_t *p) {
     picture_tell(p, PICTURE_DRAW, 0, 1);
     if (p->trial) return 0;
-    int err = path_finish(&p->path, &p->stats.path);
+    int err = p->pauses ? waiting_pause(&p->waiting) : 0;
+    if (!err) err = path_finish(&p->path, &p->stats.path);
     p->stats.path_bytes = p->stats.path.bytes;
     return err;
 }
@@ -212,6 +238,12 @@ int picture_try(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const
     return run(p, NULL);
 }
 
+bool picture_pauses(const plot_t *plot) {
+    const enum hidden_mode hidden = plot->settings->hidden;
+    if (plot->kind == PLOT_CURVES || hidden == HIDDEN_NONE || hidden == HIDDEN_HALO) return false;
+    return hidden == HIDDEN_HORIZON || !picture_wants_solids(plot);
+}
+
 bool picture_is_safe(const plot_t *plot, size_t bytes) {
     return hiding_bytes(plot, EACH_ROUGH, true) <= bytes / kernel_part(bytes);
 }
@@ -221,7 +253,8 @@ size_t picture_bytes_least(const plot_t *plot) {
     const bool boxes = CONFIG_SOLIDS && plot->kind == PLOT_SOLIDS && hidden != HIDDEN_HORIZON && hidden != HIDDEN_AREA;
     if (boxes) return picture_boxes_bytes(plot) + 2 * PATH_BYTES_MIN;
     bool turns = plot->kind == PLOT_SURFACES && plot->n == 1; /* half the horizons at a time */
-    return hiding_bytes(plot, turns ? EACH_ROUGH / 2 : EACH_ROUGH, false) + 2 * PATH_BYTES_MIN;
+    return hiding_bytes(plot, turns ? EACH_ROUGH / 2 : EACH_ROUGH, false) + 2 * PATH_BYTES_MIN +
+           WAITING_BYTES(CONFIG_WAITING) + 16;
 }
 
 picture_progress_t picture_progress(const picture_t *p) {

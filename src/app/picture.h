@@ -20,6 +20,7 @@
 #include "hidden/shaded.h"
 #include "lang/plot.h"
 #include "path/path.h"
+#include "path/waiting.h"
 #include "scene/profiles_cache.h"
 #include "scene/profiles_mesh.h"
 #include "view/cut.h"
@@ -58,6 +59,7 @@ typedef struct picture_hooks {
     int (*pen)(void *ctx, int number);
     /* Called when the view is known, before the first stroke; may be NULL. */
     void (*begin)(void *ctx, const camera_t *cam);
+    int32_t waiting; /* pieces of ink that may wait for a kernel's pause (path/waiting.h); 0: it need not pause */
     const path_feed_t *feed; /* draw while the picture is still being computed; or NULL */
 } picture_hooks_t;
 
@@ -72,7 +74,11 @@ typedef struct picture_stats {
 typedef struct picture {
     const plot_t *plot;
     const picture_hooks_t *hooks;
-    bool trial;                   /* only to see whether it fits */
+    bool trial;                  /* only to see whether it fits */
+    bool pauses;                 /* the kernel does */
+    int32_t pieces, pieces_most; /* of ink in a trial: since the last pause, and the most between two */
+    hidden_pause_t pause;
+    waiting_t waiting;
     enum picture_stage stage;     /* as last told to the hooks */
     int32_t stage_done, stage_of; /* and how far it is */
     arena_t arena;
@@ -129,6 +135,8 @@ int picture_draw(picture_t *p, const plot_t *plot, void *mem, size_t bytes, cons
 /* The same work up to the ordering of ink, without drawing: whether picture_draw would get through with this memory.
  * Returns as it does. */
 int picture_try(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const picture_hooks_t *hooks);
+/* Does its kernel pause, so that pieces may wait (picture_hooks_t)? Then picture_try tells how many have to. */
+bool picture_pauses(const plot_t *plot);
 /* Is this memory, in its usual division, enough for all but freakish scenes of this size? Otherwise picture_try tells.
  */
 bool picture_is_safe(const plot_t *plot, size_t bytes);

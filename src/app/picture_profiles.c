@@ -91,10 +91,11 @@ static int draw(picture_t *p, const pen_sink_t *pen) {
     p->lines[0] = p->profile_map.lines;
     p->spaces = 1;
     int64_t points = (int64_t)p->profiles.count * p->profiles.max_points;
+    const hidden_pause_t *pause = picture_pause(p);
     err = picture_open(p, pen, p->profiles.count, points);
     if (err) return err;
 
-    const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p, false};
+    const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p, false, pause};
     err = horizon_draw(&p->profiles, &p->camera, plot->settings->horizon_infinite, &job, &p->stats.hidden);
     p->stats.facets = p->stats.hidden.facets;
     p->stats.kernel_bytes = p->stats.hidden.bytes;

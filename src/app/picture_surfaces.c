@@ -173,6 +173,7 @@ static int begin(picture_t *p, const pen_sink_t *pen, bool isolines, bool *plain
         runs += 16 * (int64_t)hatch_lines(&p->surface_hatch);
     }
 #endif
+    if (!*plain && plot->settings->hidden != HIDDEN_HALO) picture_pause(p);
     return err ? err : picture_open(p, pen, growing, runs);
 }
 
@@ -189,7 +190,8 @@ static int draw(picture_t *p, const pen_sink_t *pen) {
     grid_outline_t outline = {p->lines, p->grid, p->sink};
     if (p->plot->settings->outline && !isolines) sink = grid_outline_sink(&outline);
 #endif
-    const hidden_job_t job = {kernel, kernel_bytes, &sink, hide_tick, p, picture_in_turn(p)};
+    const hidden_job_t job = {
+        kernel, kernel_bytes, &sink, hide_tick, p, picture_in_turn(p), p->pauses ? &p->pause : NULL};
     if (hidden == HIDDEN_HALO) {
         err = CONFIG_HALO ? picture_halo_surfaces(p, &job) : ERR_UNSUPPORTED;
         p->stats.kernel_bytes = p->stats.hidden.bytes;

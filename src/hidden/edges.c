@@ -147,17 +147,17 @@ static inline int clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
 
 /* `across` is the edge's constant distance from the eye in CHART_AROUND: an edge that is several lines there is
  * vertical only if it passes under the eye. */
-static bool is_vertical(const edges_t *e, pencil_t p0, pencil_t p1, int32_t across) {
-    if (e->chart.kind == CHART_AROUND && !edges_is_straight(p0, p1)) return across == 0;
+static bool is_vertical(const edges_t *e, pencil_t p0, pencil_t p1, const int32_t *across) {
+    if (e->chart.kind == CHART_AROUND && !edges_is_straight(p0, p1)) return *across == 0;
     return envelope_vertical(p0, p1);
 }
 
 bool edges_row_is_vertical(const edges_t *e, const chart_line_t *line, int32_t i) {
-    return is_vertical(e, line->at[i], line->at[i + 1], line->dy);
+    return is_vertical(e, line->at[i], line->at[i + 1], &line->dy);
 }
 
 bool edges_column_is_vertical(const edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i) {
-    return is_vertical(e, line->at[i], next->at[i], e->chart.column[i].p);
+    return is_vertical(e, line->at[i], next->at[i], &e->chart.column[i].p);
 }
 
 int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run) {

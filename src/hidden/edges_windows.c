@@ -32,7 +32,7 @@ static int32_t add_beside(edges_t *e, int32_t x, int32_t low, int32_t high, wind
 
 /* A line in the eye's own plane shows where it would to the side on which the facet at hand is. If it is vertical only
  * nearly, rounding does not say on which side it is: it shows where it would on either. */
-static int clip_vertical_windowed(edges_t *e, pencil_t p0, pencil_t p1) {
+static int __attribute__((noinline)) clip_vertical_windowed(edges_t *e, pencil_t p0, pencil_t p1) {
     const int32_t low = pencil_min(p0.w, p1.w), high = pencil_max(p0.w, p1.w);
     const bool both = !e->horizons.in_plane, right = edges_facet_is_right(e, p0, p1);
     windows_part_t part[WINDOWS_PARTS];
@@ -59,11 +59,16 @@ static void look_behind(edges_t *e, pencil_t l, pencil_t r, bool turn) {
     }
 }
 
+/* Takes what of a line is in windows. Apart: the parts need not be on the stack while the horizons are looked at. */
+static int __attribute__((noinline)) take_in_windows(edges_t *e, pencil_t l, pencil_t r, bool turn) {
+    windows_part_t part[WINDOWS_PARTS];
+    return take_parts(e, part, windows_clip(&e->windows, l, r, part), turn);
+}
+
 /* Takes what is visible of a line; the cover stays as it is. */
 static int look(edges_t *e, pencil_t p0, pencil_t p1, pencil_t l, pencil_t r, bool turn) {
-    windows_part_t part[WINDOWS_PARTS];
     look_behind(e, l, r, turn);
-    int err = take_parts(e, part, windows_clip(&e->windows, l, r, part), turn);
+    int err = take_in_windows(e, l, r, turn);
     if (err == 0) err = horizons_look(&e->horizons, p0, p1);
     e->behinds = 0;
     return err;
@@ -84,10 +89,7 @@ int edges_clip_windowed(edges_t *e, pencil_t p0, pencil_t p1) {
     if (vertical && e->work != EDGES_COVER) err = clip_vertical_windowed(e, p0, p1);
     if (err != 0 || l.a == r.a) return err;
     if (e->work == EDGES_LOOK) return vertical ? 0 : look(e, p0, p1, l, r, turn);
-    if (!vertical && e->work == EDGES_CLIP && e->windows.present > 0) {
-        windows_part_t part[WINDOWS_PARTS];
-        err = take_parts(e, part, windows_clip(&e->windows, l, r, part), turn);
-    }
+    if (!vertical && e->work == EDGES_CLIP && e->windows.present > 0) err = take_in_windows(e, l, r, turn);
     if (err == 0 && e->bare) err = open_windows(e, l, r);
     if (err != 0) return err;
     return vertical || e->work == EDGES_COVER ? horizons_raise(&e->horizons, l, r)

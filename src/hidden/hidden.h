@@ -5,9 +5,22 @@
 #ifndef HIDDEN_H
 #define HIDDEN_H
 
+#include "config.h"
 #include "hidden/ink.h"
 #include <stdbool.h>
 #include <stddef.h>
+
+/* A kernel pauses between facets (segments of a profile), where little of the stack is in use, if the sink wants it to:
+ * what has come is then drawn. Only with CONFIG_WAITING. */
+typedef struct hidden_pause {
+    const bool *wanted;
+    int (*pause)(void *ctx); /* an error ends the kernel */
+    void *ctx;
+} hidden_pause_t;
+
+static inline int hidden_pause(const hidden_pause_t *p) {
+    return CONFIG_WAITING > 0 && p != NULL && *p->wanted ? p->pause(p->ctx) : 0;
+}
 
 /* The job's surroundings. All of it must stay valid until the kernel returns; nothing is kept afterwards. */
 typedef struct hidden_job {
@@ -18,6 +31,7 @@ typedef struct hidden_job {
     void *tick_ctx;
     bool in_turn; /* perimeter: the upper horizon first, then the lower one in the same memory. The same ink in another
                      order; twice the time, and the horizons take half */
+    const hidden_pause_t *pause; /* perimeter, horizon; may be NULL */
 } hidden_job_t;
 
 /* What a drawing took. Filled in also when the kernel ends with an error. */

@@ -13,6 +13,7 @@
 
 typedef struct drawing {
     const profiles_t *src;
+    const hidden_pause_t *pause;
     horizons_t horizons;
     runs_t runs;
     run_t run;
@@ -107,7 +108,10 @@ static int draw_profile(drawing_t *d, int32_t k, num_t depth) {
         d->cell = i - 1;
         if (joins) {
             d->segments++;
-            err = d->flat ? take_part(d, (envelope_part_t){.to_q30 = 1 << 30}) : horizons_clip(&d->horizons, last, at);
+            err = hidden_pause(d->pause);
+            if (err == 0)
+                err = d->flat ? take_part(d, (envelope_part_t){.to_q30 = 1 << 30})
+                              : horizons_clip(&d->horizons, last, at);
         }
         last = at;
     }
@@ -120,7 +124,7 @@ size_t horizon_bytes(int32_t vertices) {
 
 int horizon_draw(const profiles_t *src, const camera_t *cam, bool infinite, const hidden_job_t *job,
                  hidden_stats_t *stats) {
-    drawing_t d = {.src = src, .runs = {.sink = job->sink}};
+    drawing_t d = {.src = src, .pause = job->pause, .runs = {.sink = job->sink}};
     *stats = (hidden_stats_t){0};
     int err = horizons_init(&d.horizons, true, !infinite, job->mem, job->bytes / sizeof(pencil_t), take_part, &d);
     if (err == 0) err = measure(&d, cam);

@@ -60,11 +60,15 @@ int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam,
     const size_t nx = (size_t)grid[0]->nx;
     lender_t from = {job->mem, job->bytes};
     edges_t *e = &s->edges;
+    s->pause = job->pause;
     s->layers = n;
     s->layer = lend(&from, (size_t)n * sizeof(layer_t));
     chart_column_t *column = lend(&from, nx * sizeof(chart_column_t));
     if (column == NULL) return ERR_FULL;
     chart_init(&e->chart, grid, n, cam, column);
+    from.mem = (uint8_t *)(void *)column; /* what it does not use is for the horizons */
+    from.left += (nx * sizeof(chart_column_t) + 7) / 8 * 8;
+    lend(&from, chart_column_bytes(&e->chart));
     for (int32_t m = 0; m < n; m++) {
         layer_t *l = &s->layer[m];
         *l = (layer_t){.grid = grid[m], .surface = (uint8_t)m};
@@ -139,7 +143,8 @@ static int flush_columns(sweep_t *s) {
     for (int32_t m = 0; m < s->layers; m++) {
         s->edges.runs.surface = s->layer[m].surface;
         for (int32_t i = 0; i < s->layer[m].grid->nx && err == 0; i++) {
-            err = runs_flush(&s->edges.runs, &s->layer[m].column_run[i], INK_COL, i);
+            err = hidden_pause(s->pause);
+            if (err == 0) err = runs_flush(&s->edges.runs, &s->layer[m].column_run[i], INK_COL, i);
         }
     }
     return err;
@@ -157,6 +162,7 @@ int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row) {
         for (int32_t j = up ? c->j0 : c->j0 - 1; j >= 0 && j < rows && err == 0; j += up ? 1 : -1) {
             if (j != c->j0) step(s, up, j);
             err = row(s, up, j == c->j0);
+            if (err == 0) err = hidden_pause(s->pause);
             if (err == 0) err = flush_rows(s);
             if (j == c->j0) keep_done(s, false);
             if (err == 0 && job->tick != NULL) job->tick(job->tick_ctx, ++done, of);

@@ -48,6 +48,7 @@ typedef struct sweep {
 #if CONFIG_AREA
     struct shaded *shaded; /* hatches visible facets, or NULL (shaded.h) */
 #endif
+    const hidden_pause_t *pause;
     int64_t facets;
     size_t fixed; /* bytes of lent memory before the horizons */
 } sweep_t;
@@ -82,8 +83,8 @@ static inline int sweep_shade(sweep_t *s, const layer_t *l, int32_t i) {
 #if CONFIG_AREA
     if (s->shaded != NULL) return shaded_facet(s->shaded, s, l, i);
 #endif
-    (void)s, (void)l, (void)i;
-    return 0;
+    (void)l, (void)i;
+    return hidden_pause(s->pause);
 }
 
 /* An edge of a layer. */

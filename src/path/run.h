@@ -61,6 +61,10 @@ static inline int64_t run_t_of(const run_t *r, int side) {
     return (int64_t)((uint64_t)hi << 32 | (side ? r->to_lo : r->from_lo));
 }
 
+static inline ink_piece_t run_unpack(const run_t *r) {
+    return (ink_piece_t){run_family(r), run_surface(r), run_line(r), run_t_of(r, 0), run_t_of(r, 1)};
+}
+
 static inline void run_set_t(run_t *r, int side, int64_t t) {
     if (side) {
         r->to_lo = (uint32_t)t;

@@ -60,7 +60,6 @@ static void init_parallel(chart_t *c, const num_t x[2], const num_t y[2], const 
     num_t flat = num_sqrt(num_add(num_mul(e[0], e[0]), num_mul(e[1], e[1])));
     if (flat.undef || looks_straight_down(e, x, y, z)) {
         c->kind = CHART_VERTICAL;
-        for (int32_t i = 0; i < c->grid->nx; i++) c->column[i] = (chart_column_t){0};
         return;
     }
     c->x_ref = middle(x[0], x[1]);
@@ -79,8 +78,8 @@ static void init_parallel(chart_t *c, const num_t x[2], const num_t y[2], const 
     for (int32_t i = 0; i < c->grid->nx; i++) {
         num_t dx = num_sub(x_at(c, i), c->x_ref);
         num_t climbed = num_mul(climb, num_mul(c->turn[0], dx));
-        c->column[i].p = plane_fixed(num_mul(c->turn[1], dx), c->x_bits);
-        c->column[i].s = -plane_fixed(climbed, c->z_bits);
+        c->p[i] = plane_fixed(num_mul(c->turn[1], dx), c->x_bits);
+        c->s[i] = -plane_fixed(climbed, c->z_bits);
     }
     c->turn[1] = num_mul(climb, c->turn[1]); /* what a row needs */
 }
@@ -144,7 +143,8 @@ void chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam
     grid_t *g = grid[0];
     const surface_t *src = g->src;
     const num_t *e = cam->eye;
-    *c = (chart_t){.grid = g, .cam = cam, .column = column};
+    *c = (chart_t){.grid = g, .cam = cam, .column = column, .p = (int32_t *)(void *)column};
+    c->s = c->p + g->nx;
     const num_t x[2] = {x_at(c, 0), x_at(c, g->nx - 1)}, y[2] = {y_at(c, 0), y_at(c, g->ny - 1)};
     num_t z[2] = {g->z_min, g->z_max};
     for (int32_t k = 1; k < n; k++) {
@@ -172,7 +172,7 @@ void chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam
         c->z_bits = c->plane.z_bits;
         for (int32_t i = 0; i < g->nx; i++) {
             int32_t p = plane_u(&c->plane, x_at(c, i));
-            column[i].p = c->sign > 0 ? -p : p;
+            c->p[i] = c->sign > 0 ? -p : p;
         }
     } else if (num_cmp(slope_x, limit) < 0) {
         c->kind = CHART_EAST;
@@ -214,7 +214,7 @@ static void row_parallel(const chart_t *c, const rise_t *rise, num_t y, chart_li
     num_t dy = num_sub(y, c->y_ref);
     int32_t q = -plane_fixed(num_mul(c->turn[0], dy), c->x_bits), t = -plane_fixed(num_mul(c->turn[1], dy), c->z_bits);
     for (int32_t i = 0; i < c->grid->nx; i++) {
-        line->at[i] = (pencil_t){c->column[i].p + q, raised(rise, line->at[i].w, c->column[i].s + t)};
+        line->at[i] = (pencil_t){c->p[i] + q, raised(rise, line->at[i].w, c->s[i] + t)};
     }
 }
 
@@ -222,10 +222,10 @@ static void row_north(const chart_t *c, const rise_t *rise, num_t y, chart_line_
     const int32_t nx = c->grid->nx, s = plane_z_of_v(&c->plane, y);
     const int32_t q = c->sign > 0 ? -plane_u_of_v(&c->plane, y) : plane_u_of_v(&c->plane, y);
     const uint32_t r = plane_reciprocal(&c->plane, y);
-    const chart_column_t *column = c->column;
+    const int32_t *p = c->p;
     line->r = r;
     for (int32_t i = 0; i < nx; i++) {
-        line->at[i] = (pencil_t){plane_project(column[i].p + q, r), plane_project(raised(rise, line->at[i].w, s), r)};
+        line->at[i] = (pencil_t){plane_project(p[i] + q, r), plane_project(raised(rise, line->at[i].w, s), r)};
     }
 }
 

@@ -27,11 +27,10 @@
 
 #define CHART_NONE INT32_MIN
 #define CHART_SECTOR_BITS 28 /* CHART_AROUND: a sector is 2^28 units wide, the middle one of three cuts is at 0 */
-#define CHART_BYTES_PER_COLUMN 12
 
 enum chart_kind { CHART_PARALLEL, CHART_NORTH, CHART_EAST, CHART_AROUND, CHART_VERTICAL };
 
-/* A column's constants; which are used depends on the kind. */
+/* A column's constants. */
 typedef struct chart_column {
     int32_t p;  /* numerator of a; CHART_AROUND: dx */
     int32_t s;  /* part of w's numerator; CHART_AROUND: shift of r */
@@ -51,7 +50,8 @@ typedef struct chart {
     int16_t x_bits, y_bits, z_bits; /* scales of a's and w's numerators */
     int16_t z_shift;                /* CHART_AROUND: how many bits more heights have than distances */
     bool tall;                      /* CHART_AROUND: heights are evaluated, 31 bits are not enough */
-    chart_column_t *column;         /* nx, in lent memory */
+    chart_column_t *column;         /* CHART_EAST, CHART_AROUND: nx, in lent memory */
+    int32_t *p, *s; /* CHART_NORTH, CHART_PARALLEL: the same memory, nx of the column's p; and of its s */
 } chart_t;
 
 /* One row of the grid in pencil coordinates. */
@@ -67,6 +67,14 @@ typedef struct chart_line {
 /* Chooses the chart for n grids over the same points (x, y), and a view. column: nx constants, must outlive c, as must
  * grids and cam. */
 void chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam, chart_column_t *column);
+
+/* Bytes of them that the chart uses, from the front. */
+static inline size_t chart_column_bytes(const chart_t *c) {
+    const size_t each = c->kind == CHART_NORTH      ? sizeof *c->p
+                        : c->kind == CHART_PARALLEL ? sizeof *c->p + sizeof *c->s
+                                                    : sizeof *c->column;
+    return (size_t)c->grid->nx * each;
+}
 
 /* Which sides of a grid can be seen: 1 only upper ones (the eye is above it, over its rectangle), -1 only lower ones, 0
  * both. May ask the grid for four heights. */

@@ -124,7 +124,7 @@ function large(shape, n) {
   const text = join(tmp, 'pico.txt'), begun = Date.now();
   const stim = stimulus(shape, n, QUICK, '+2000000 type memory\\r');
   const run = spawnSync('node', ['tests/emu/rp2040.mjs', `${build}/firmware/rp2040.bin`, stim, join(tmp, 'large.vcd'), text, '1'],
-    { env: { ...process.env, EMU_MODULES: `${build}/emu`, QUIET_MS: '300' }, encoding: 'utf8', timeout: 3600e3 });
+    { env: { ...process.env, EMU_MODULES: `${build}/emu`, QUIET_MS: '300', STILL_S: '600' }, encoding: 'utf8', timeout: 4200e3 });
   if (run.status !== 0) throw new Error(`pico ${shape} ${n}: ${run.stderr}`);
   memory(`Pico, ${shape} ${n}x${n}, small paper, drawn to the end (${Math.round((Date.now() - begun) / 1000)} s of emulation)`,
     readFileSync(text, 'latin1'));

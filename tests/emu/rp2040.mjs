@@ -7,7 +7,7 @@
 // instruction and ends the run by returning true; finish() is called then.
 // The package's own run loop is not used: time is advanced instruction by instruction, and what was pending before WFI ends it.
 // The boot ROM is stood in for: the boot loader's checksum is checked, it is copied to RAM and entered, as the ROM does; and
-// flash routines are found where the ROM has them. The run ends, too, when all has been played and no pin has moved for 30 s. The file named by $STORE keeps the last 16 KB of flash for the next run. Any warning of the emulator fails the run.
+// flash routines are found where the ROM has them. The run ends, too, when all has been played and no pin has moved for 30 s ($STILL_S). The file named by $STORE keeps the last 16 KB of flash for the next run. Any warning of the emulator fails the run.
 import { readFileSync, openSync, writeSync, closeSync, writeFileSync, existsSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
@@ -116,7 +116,7 @@ for (const pio of mcu.pio) {
 }
 
 // ---- the recording
-const STILL_NS = 30e9;
+const STILL_NS = 1e9 * Number(process.env.STILL_S ?? 30);
 let moved = 0; // when a pin did, or the last thing to be played will be
 let done = false, firstNs = -1, drawn = 0, written = -1, buffer = [];
 const vcd = openSync(vcdFile, 'w');

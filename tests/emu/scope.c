@@ -42,6 +42,7 @@ extern qemu_irq qdev_get_gpio_in(void *dev, int n);
 extern void qemu_set_irq(qemu_irq irq, int level);
 extern void timer_init_full(void *timer, void *list, int type, int scale, int attrs, void (*cb)(void *), void *opaque);
 extern void timer_mod(void *timer, int64_t expire);
+extern void timer_del(void *timer);
 extern void qemu_mutex_lock_iothread_impl(const char *file, int line);
 extern void qemu_mutex_unlock_iothread(void);
 extern bool qemu_mutex_iothread_locked(void);
@@ -100,6 +101,7 @@ static void schedule(void) {
     }
     int64_t at = s->ns + (s->relative ? g.first_ns : 0) + (int64_t)g.byte * BYTE_NS;
     int64_t now = qemu_clock_get_ns(CLOCK_VIRTUAL);
+    if (!g.ending) timer_del(g.quiet); /* what is to come is waited for */
     timer_mod(g.timer, at > now ? at : now + 1);
 }
 
