@@ -27,8 +27,9 @@ static int ranges(session_t *s, lexer_t *lx, enum plot_kind kind, expr_params_t 
 #endif
     for (int k = 0; k < axes && lx->tok.kind == '['; k++) {
         lexer_t name = *lx;
-        if (range != s->plot.range && k == 2) range = s->plot.range - 2;
-        int err = set_range(s, lx, &range[k], &name);
+        /* After u and v come x, y and z. */
+        const bool is_axis = range == s->plot.range || k < 2;
+        int err = set_range(s, lx, is_axis ? &range[k] : &s->plot.range[k - 2], &name);
         if (err) return err;
         if (name.tok.kind != TOKEN_NAME) continue;
         if (k >= params->count) return session_fail(s, &name, ERR_SYNTAX, "this axis has no variable");
