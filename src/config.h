@@ -32,8 +32,7 @@
 #define CONFIG_SOLIDS 1
 #endif
 
-/* Haloed lines, of solids and of grids, and terrains of triangles (0 or 1): 17 KB of flash that a part with 16 KB of
- * RAM has no use for; needs CONFIG_SOLIDS. */
+/* Haloed lines, of solids and of grids, and terrains of triangles (0 or 1): 15 KB of flash; needs CONFIG_SOLIDS. */
 #ifndef CONFIG_HALO
 #define CONFIG_HALO CONFIG_SOLIDS
 #endif
