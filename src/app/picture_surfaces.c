@@ -126,6 +126,11 @@ static int setup_shaded(picture_t *p) {
                            .lights = picture_lights(p->plot->settings, p->lights),
                            .sink = &p->sink,
                            .space = (uint8_t)n};
+    const grid_t *g = &p->grid[0];
+    const surface_t *f = g->src;
+    const num_t sum[3] = {num_add(f->x_of(f->ctx, 0), f->x_of(f->ctx, nx - 1)),
+                          num_add(f->y_of(f->ctx, 0), f->y_of(f->ctx, g->ny - 1)), num_add(g->z_min, g->z_max)};
+    for (int k = 0; k < 3; k++) p->shaded.middle[k] = num_ldexp(sum[k], -1);
     p->pens.of_space[n] = p->plot->settings->pen[LINE_HATCH];
     p->spaces++;
     return shaded_init(&p->shaded, nx, n, mem, bytes);

@@ -31,6 +31,7 @@ typedef struct shaded {
     int32_t lights;
     const ink_sink_t *sink; /* takes INK_CURVE pieces of hatch lines */
     uint8_t space;          /* on this surface number */
+    num_t middle[3];        /* of the scene, in the data's units: what a lamp is worth is reckoned there */
     intervals_t parts;
     num_t to[LIGHTS_MAX][3]; /* unit vectors to parallel lights, in the cube */
     int64_t full_q30;
@@ -44,7 +45,7 @@ typedef struct shaded {
 /* Memory for so many surfaces of nx columns, without room for parts of hatch lines: 12 bytes each, any number will do.
  */
 size_t shaded_bytes(int32_t nx, int32_t surfaces);
-/* Prepares the memory (aligned to 8) and the lights of s, whose members up to space are set. Returns 0 or ERR_FULL. */
+/* Prepares the memory (aligned to 8) and the lights of s, whose members up to middle are set. Returns 0 or ERR_FULL. */
 int shaded_init(shaded_t *s, int32_t nx, int32_t surfaces, void *mem, size_t bytes);
 struct sweep; /* sweep.h */
 struct layer;

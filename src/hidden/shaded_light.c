@@ -11,7 +11,10 @@ void shaded_weigh_lights(shaded_t *s) {
     num_t sum[3], length2, one = num_from_i64(1);
     for (int k = 0; k < 3; k++) sum[k] = num_from_i64(0);
     for (int32_t l = 0; l < s->lights; l++) {
-        for (int k = 0; k < 3; k++) s->to[l][k] = s->light[l].at[k];
+        for (int k = 0; k < 3; k++) {
+            const num_t at = s->light[l].at[k];
+            s->to[l][k] = s->light[l].point ? num_mul(s->cam->unit[k], num_sub(at, s->middle[k])) : at;
+        }
         num_vec_unit(s->to[l]);
         for (int k = 0; k < 3; k++) sum[k] = num_add(sum[k], s->to[l][k]);
     }

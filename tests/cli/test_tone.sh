@@ -134,6 +134,20 @@ surfaces_are_shaded() {
     awk -v a="$(strokes 2 "$view; set light 0,0,-1" '(x-.5)**2+(y-.5)**2 < .01 ? NaN : 0')" -v b="$area" 'BEGIN { exit !((a - b * 4 * 60 / 64) ^ 2 < (.01 * b) ^ 2) }'
 }
 
+# Between two lamps a sheet has the same tones wherever that is.
+lamps_are_weighed_at_the_sheet() {
+    sheet() { # x of its left border
+        printf 'set xrange [%d:%d]\nset yrange [0:10]\nset zrange [-5:5]\nset hatch 30,1\nset hidden3d outline\nset pen hatch 2\n' "$1" $(($1 + 10))
+        printf 'set light from %d,5,10\nset light 2 from %d,5,10\nset view 45,30\nsplot 0*x\n' $(($1 - 5)) $(($1 + 15))
+    }
+    for at in 0 1000; do
+        sheet $at >far.gp
+        ridgeline plot far.gp -o $at.seg
+        awk '/^# pen/ { pen = $3 } /^#/ { next } pen == 2 { s += sqrt(($3 - $1) ^ 2 + ($4 - $2) ^ 2) } END { printf "%.1f", s }' $at.seg >$at.mm
+    done
+    cmp 0.mm 1000.mm
+}
+
 # A bowed sheet, its cells not flat, with a box over it: the shadow's border is one closed line, and no edge of a cell is.
 surfaces_take_shadows() {
     cube
@@ -257,4 +271,4 @@ settings_are_answered() {
     done
 }
 
-run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own shadows_overlap lamps_cast_shadows_too surfaces_are_shaded surfaces_take_shadows glass_is_looked_through glass_has_a_name details_end_with_their_face settings_are_answered
+run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own shadows_overlap lamps_cast_shadows_too surfaces_are_shaded lamps_are_weighed_at_the_sheet surfaces_take_shadows glass_is_looked_through glass_has_a_name details_end_with_their_face settings_are_answered

@@ -41,6 +41,7 @@ static struct {
     hatch_t hatch;
     light_t light[LIGHTS_MAX];
     int lights;
+    double middle[3];
     ink_piece_t piece[400000];
     int pieces;
     double page[SHEETS][MOST][MOST][3]; /* mm and depth E */
@@ -145,6 +146,10 @@ static bool make(void) {
                   .lights = c.lights,
                   .sink = &sink,
                   .space = SHEETS};
+    for (int k = 0; k < 3; k++) {
+        s.middle[k] = num_ldexp(num_add(box.lo[k], box.hi[k]), -1);
+        c.middle[k] = num_value(s.middle[k]);
+    }
     assert_int_equal(shaded_init(&s, c.sheet[0].nx, c.n, shading, sizeof shading), 0);
     const hidden_job_t job = {.mem = kernel, .bytes = sizeof kernel, .sink = &sink};
     hidden_stats_t stats;
@@ -260,6 +265,7 @@ static bool tone_of(int m, int i, int j, enum hatch_tone *tone) {
         for (int k = 0; k < 3; k++) {
             at[k] = value(c.light[l].at[k]);
             to[k] = c.light[l].point ? at[k] * u[k] - p[0][k] : at[k];
+            if (c.light[l].point) at[k] = (at[k] - c.middle[k]) * u[k];
             t2 += to[k] * to[k], a2 += at[k] * at[k], dot += to[k] * n[k];
         }
         for (int k = 0; k < 3; k++) all[k] += at[k] / sqrt(a2);
