@@ -10,43 +10,31 @@
 
 #include <cmocka.h>
 
-#include "tests/oracle/run_cases.h"
-#include "tests/oracle/solid_scenes.h"
+#include "tests/oracle/solid_cases.h"
+
+typedef struct account {
+    int left_out, behind, cut;
+} account_t;
+
+static enum solid_verdict judge(void *ctx, const solid_scene_t *s, judge_report_t *r) {
+    account_t *a = ctx;
+    area_stats_t area = {0};
+    bool good = solid_scene_judge_area(s, r, &area);
+    if (area.intersections && s->lattice) {
+        a->left_out++;
+        return SOLID_LEFT_OUT;
+    }
+    a->behind += area.behind;
+    a->cut += area.intersections > 0;
+    return good ? SOLID_GOOD : SOLID_FAILED;
+}
 
 static int run(const char *name, uint64_t first, uint64_t count, int objects) {
-    uint64_t from, to;
-    int failed = 0, left_out = 0, behind = 0, cut = 0;
-    cases_t c = {.name = name};
-    if (!cases_seeds(first, count, &from, &to)) return 0;
-    for (uint64_t seed = from; seed < to && failed < 20; seed++) {
-        solid_scene_t s;
-        judge_report_t r;
-        area_stats_t area = {0};
-        solid_scene_random(&s, seed, objects);
-        bool good = solid_scene_judge_area(&s, &r, &area);
-        if (area.intersections && s.lattice) {
-            left_out++;
-            solid_scene_free(&s);
-            continue;
-        }
-        c.run++;
-        behind += area.behind;
-        cut += area.intersections > 0;
-        c.facets += s.ref.nf;
-        if (!good) {
-            failed++;
-            print_message(
-                "# FAILED RIDGELINE_SEED=%llu build/tests/property/test_area_random: %s\n"
-                "#   missing %g mm (edge %d, %g to %g), false %g mm (edge %d, %g to %g), end %g steps, twice %g mm\n",
-                (unsigned long long)seed, s.what, r.missing_mm, r.missing.line, r.missing.from, r.missing.to,
-                r.false_mm, r.falsely.line, r.falsely.from, r.falsely.to, r.end_steps, r.twice_mm);
-        }
-        judge_worst(&c.worst, &r);
-        solid_scene_free(&s);
-    }
-    cases_summary(&c);
+    cases_t c = {.name = name, .program = "test_area_random"};
+    account_t a = {0};
+    int failed = solid_cases_random(&c, first, count, objects, judge, &a);
     print_message("# %s: in %d something is behind the eye, in %d faces cut through each other; %d left out\n", name,
-                  behind, cut, left_out);
+                  a.behind, a.cut, a.left_out);
     return failed;
 }
 

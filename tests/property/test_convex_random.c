@@ -8,33 +8,16 @@
 
 #include <cmocka.h>
 
-#include "tests/oracle/run_cases.h"
-#include "tests/oracle/solid_scenes.h"
+#include "tests/oracle/solid_cases.h"
+
+static enum solid_verdict judge(void *ctx, const solid_scene_t *s, judge_report_t *r) {
+    (void)ctx;
+    return solid_scene_judge(s, r) ? SOLID_GOOD : SOLID_FAILED;
+}
 
 static int run(const char *name, uint64_t first, uint64_t count, int objects) {
-    uint64_t from, to;
-    int failed = 0;
-    cases_t c = {.name = name};
-    if (!cases_seeds(first, count, &from, &to)) return 0;
-    for (uint64_t seed = from; seed < to && failed < 20; seed++) {
-        solid_scene_t s;
-        judge_report_t r;
-        solid_scene_random(&s, seed, objects);
-        c.run++;
-        c.facets += s.ref.nf;
-        if (!solid_scene_judge(&s, &r)) {
-            failed++;
-            print_message(
-                "# FAILED RIDGELINE_SEED=%llu build/tests/property/test_convex_random: %s\n"
-                "#   missing %g mm (edge %d, %g to %g), false %g mm (edge %d, %g to %g), end %g steps, twice %g mm\n",
-                (unsigned long long)seed, s.what, r.missing_mm, r.missing.line, r.missing.from, r.missing.to,
-                r.false_mm, r.falsely.line, r.falsely.from, r.falsely.to, r.end_steps, r.twice_mm);
-        }
-        judge_worst(&c.worst, &r);
-        solid_scene_free(&s);
-    }
-    cases_summary(&c);
-    return failed;
+    cases_t c = {.name = name, .program = "test_convex_random"};
+    return solid_cases_random(&c, first, count, objects, judge, NULL);
 }
 
 static void few_objects(void **state) {

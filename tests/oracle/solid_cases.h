@@ -1,0 +1,17 @@
+/* solid_cases.h - the frame of property tests over random scenes of solids: seeds, verdicts, how a failure is told. */
+#ifndef SOLID_CASES_H
+#define SOLID_CASES_H
+
+#include "tests/oracle/run_cases.h"
+#include "tests/oracle/solid_scenes.h"
+
+enum solid_verdict { SOLID_GOOD, SOLID_FAILED, SOLID_LEFT_OUT };
+
+/* Judges one scene; r is 0 before. */
+typedef enum solid_verdict (*solid_judge_t)(void *ctx, const solid_scene_t *s, judge_report_t *r);
+
+/* `count` scenes of up to so many objects from seed `first` on, or as RIDGELINE_SEED and its kin say. Prints failures,
+ * with the command of c->program that repeats each, and a summary. Returns how many failed, at most 20. */
+int solid_cases_random(cases_t *c, uint64_t first, uint64_t count, int objects, solid_judge_t judge, void *ctx);
+
+#endif
