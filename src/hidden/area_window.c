@@ -5,8 +5,11 @@
 
 #include "error.h"
 
-/* Of what the faces leave of the memory: to the clipper, and for each face so many pieces. */
+/* Of what the faces leave of the memory, a part for pieces, which are as many as polygons divide each other into; of the
+ * rest one for the clipper, and the other for what the pieces consist of: some 64 bytes each. */
+#define PIECES_SHARE 4
 #define CLIP_SHARE 3
+/* A window with more faces than this allows is not even tried. */
 #define PIECES_PER_FACE 3
 
 /* ---- windows ---- */
@@ -280,9 +283,7 @@ static int lay_out(area_t *a, const solid_map_t *m, void *mem, size_t bytes) {
     a->stats->polygons = a->faces.n;
     b = before;
     take(&b, (size_t)a->faces.vertices * sizeof(poly_vertex_t));
-    const bool whole = a->sink->window_faces == INT32_MAX;
-    int32_t pieces = whole ? INT32_MAX : a->faces.n * PIECES_PER_FACE + 64;
-    if ((size_t)pieces > b.left / 4 / sizeof(area_piece_t)) pieces = (int32_t)(b.left / 4 / sizeof(area_piece_t));
+    int32_t pieces = (int32_t)(b.left / PIECES_SHARE / sizeof(area_piece_t));
     area_piece_t *piece = take(&b, (size_t)pieces * sizeof *piece);
     a->clip_bytes = b.left / CLIP_SHARE;
     a->clip_mem = take(&b, a->clip_bytes);
