@@ -146,6 +146,20 @@ static bool has_holes(const solid_t *s, const solid_face_t *f) {
     return false;
 }
 
+/* Is a face no wider than its corners' rounding? Near the eye that may look like something, which hides nothing. */
+static bool is_line(const solid_t *s, int32_t face) {
+    const solid_face_t *f = &s->face[face];
+    const solid_normal_t n = solid_face_normal(s, face);
+    const solid_vertex_t *first = &s->vertex[s->corner[f->corner]];
+    uint64_t area2 = 0, far = 0;
+    for (int k = 0; k < 3; k++) area2 += solid_abs(n.n[k]);
+    for (int32_t c = 1; c < f->n; c++) {
+        const solid_delta_t d = solid_sub(&s->vertex[s->corner[f->corner + c]], first);
+        for (int k = 0; k < 3; k++) far = solid_abs(d.d[k]) > far ? solid_abs(d.d[k]) : far;
+    }
+    return area2 > 0 && area2 <= 4 * SOLID_FLAT * far;
+}
+
 static bool is_before(const area_face_t *a, const area_face_t *b) {
     return a->z_near != b->z_near ? a->z_near < b->z_near : a->face < b->face;
 }
@@ -183,7 +197,7 @@ int area_faces_make(area_faces_t *faces, int32_t *corner_edge, uint8_t *state, a
         if (n < 3 || !span(l, f, v, scratch)) continue;
         f->box = area_box_of(v, n);
         const poly_t whole = {v, &f->n, 1};
-        if (area_is_thin(&whole, &f->box)) continue;
+        if (area_is_thin(&whole, &f->box) || (f->deep && is_line(s, k))) continue;
         state[k] = AREA_TAKES_PART;
         faces->vertices += n;
         faces->n++;
