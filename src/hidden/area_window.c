@@ -5,8 +5,8 @@
 
 #include "error.h"
 
-/* Of what the faces leave of the memory, a part for pieces, which are as many as polygons divide each other into; of the
- * rest one for the clipper, and the other for what the pieces consist of: some 64 bytes each. */
+/* Of what the faces leave of the memory, a part for pieces, which are as many as polygons divide each other into; of
+ * the rest one for the clipper, and the other for what the pieces consist of: some 64 bytes each. */
 #define PIECES_SHARE 4
 #define CLIP_SHARE 3
 /* A window with more faces than this allows is not even tried. */
