@@ -6,14 +6,14 @@ BARE := $(EMUDIR)/bare
 BARE_m0     := -mcpu=cortex-m0 0 0x20000000 0x20004000
 BARE_m0an   := -mcpu=cortex-m0 0 0x20000000 0x20400000
 BARE_m3     := -mcpu=cortex-m3 0 0x20000000 0x20400000
-BARE_rp2040 := -mcpu=cortex-m0plus 0x20000000 0x2001c000 0x20042000
+BARE_rp2040 := -mcpu=cortex-m0plus 0x20000000 0x2001e000 0x20042000
 BARE_CFLAGS := -std=c11 -O2 -ffreestanding -ffunction-sections -fdata-sections $(WARN) -MMD -MP -Isrc -I.
 bare_lds     = -nostartfiles --specs=nano.specs -mthumb -Wl,--gc-sections -Wl,--fatal-warnings -T tests/emu/bare/bare.ld \
     $(foreach k,2 3 4,-Wl,--defsym=$(word $k,- CODE DATA STACK)=$(word $k,$(or $(BARE_$1_$2),$(BARE_$1))))
 BARE_COMMON := tests/emu/bare/integer_scene.c
 # The same scenes everywhere: small ones, and large ones to count by. The folders that the kernels need; what is not called is left out by the linker.
 BARE_CORE := $(filter src/error.c src/num/% src/scene/% src/view/% src/hidden/% src/poly/%,$(CORE_SRC))
-BARE_DEFS_count := -DINTEGER_SCENE_SIDE=40 -DINTEGER_SCENE_BYTES=114688
+BARE_DEFS_count := -DINTEGER_SCENE_SIDE=40 -DINTEGER_SCENE_BYTES=106496
 
 define bare_core
 $(BARE)/$1-$2/%.o: %.c
