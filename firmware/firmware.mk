@@ -3,7 +3,7 @@ include firmware/boards.mk
 
 CROSS    ?= arm-none-eabi-
 FWDIR    := $(BUILDDIR)/firmware
-FW_CFLAGS := -std=c11 -mthumb -ffreestanding -ffunction-sections -fdata-sections -g $(WARN) -fstack-usage -fcallgraph-info=su -MMD -MP
+FW_CFLAGS := -std=c11 -mthumb -ffreestanding -ffunction-sections -fdata-sections -g $(WARN) -MMD -MP
 FW_LDFLAGS := -mthumb -nostartfiles --specs=nano.specs -Wl,--gc-sections -Wl,--fatal-warnings -Llinker
 FW_SRC   := $(wildcard firmware/*.c) $(CORE_SRC)
 

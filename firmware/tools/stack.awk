@@ -1,47 +1,101 @@
-# stack.awk - the deepest path through the calls, from gcc's -fcallgraph-info=su files (*.ci) of one image.
+# stack.awk - the deepest path through the calls of an image, read from its disassembly, so that link-time optimization and
+# compiler caches do not matter.
 #
-#     awk -f stack.awk FILE.ci...
+#     { cat pointers.txt; objdump -s -j .text -j .data IMAGE; objdump -d --no-show-raw-insn IMAGE; } | awk -f stack.awk
 #
-# Prints "BYTES PATH". Calls through pointers are not in those files: each is taken to reach the deepest function whose
-# address some table or argument holds and that nobody calls by name (sinks, sources, hooks), at most once on a path and
-# nested INDIRECT (4) deep: a kernel's ink goes through cut, path and pen. Interrupts add their own path.
-/^node:/ {
-    match($0, /title: "[^"]*"/); name = substr($0, RSTART + 8, RLENGTH - 9)
-    if (match($0, /[0-9]+ bytes/)) size[name] = substr($0, RSTART, RLENGTH - 6) + 0
+# Prints "BYTES PATH", with * before what is called through a pointer. A frame is what a function pushes and takes from sp. A
+# call through a pointer reaches what pointers.txt says, of what has its address somewhere in the image. Who is not in
+# there is listed on stderr, and then the bound may be too low. Nothing calls itself, so no function is twice on a path. On top
+# come the deepest interrupts of all four levels.
+function plain(f) { gsub(/\.(lto_priv|constprop|part|isra|cold)\.?[0-9]*/, "", f); return f }
+function hex(s,    i, n) { n = 0; s = tolower(s); for (i = 1; i <= length(s); i++) n = n * 16 + index("0123456789abcdef", substr(s, i, 1)) - 1; return n }
+function registers(list,    n, part, i, sum, ends) { # of {r4, r5, lr} or {r4-r7}
+    sub(/.*\{/, "", list); sub(/\}.*/, "", list)
+    n = split(list, part, /, */)
+    for (i = 1; i <= n; i++) sum += split(part[i], ends, "-") == 2 ? substr(ends[2], 2) - substr(ends[1], 2) + 1 : 1
+    return sum
+}
+/^[a-z]+  +[a-z_|.*]+$/ { rank[++ranks] = "^(" $2 ")$"; line[$1] = ranks; next }
+/^[^ ]+ -> / { caller[++rules] = "^(" $1 ")$"; for (i = 3; i <= NF; i++) may[rules, line[$i]] = 1; next }
+# The words of the image, as they stand in memory: an odd one may be a function's address.
+/^ [0-9a-f]+ [0-9a-f]/ && NF > 1 && !/:/ {
+    for (i = 2; i <= 5 && length($i) == 8 && $i ~ /^[0-9a-f]+$/; i++)
+        word[substr($i, 7, 2) substr($i, 5, 2) substr($i, 3, 2) substr($i, 1, 2)] = 1
     next
 }
-/^edge:/ {
-    match($0, /sourcename: "[^"]*"/); from = substr($0, RSTART + 13, RLENGTH - 14)
-    match($0, /targetname: "[^"]*"/); to = substr($0, RSTART + 13, RLENGTH - 14)
-    if (to == "__indirect_call") indirect[from] = 1
-    else { calls[from] = calls[from] SUBSEP to; called[to] = 1 }
+# A function is known by where it is: several may have one name.
+/^[0-9a-f]+ <.*>:$/ {
+    f = $1; sub(/^0+/, "", f)
+    name[f] = $2; gsub(/[<>:]/, "", name[f])
+    at[f] = substr($1, length($1) - 7)
+    popped = ""
+    next
 }
-function depth(f, left,    key, n, part, i, d, best, way, g) {
-    key = f SUBSEP left
+f == "" || !/^ *[0-9a-f]+:\t/ { next }
+{
+    split($0, col, "\t")
+    op = col[2]; arg = col[3]
+    here = $1; sub(/:/, "", here)
+}
+op == ".word" { value[here] = substr(arg, 3, 8); next }
+op ~ /^push/ || (op ~ /^stmdb/ && arg ~ /^sp!/) { frame[f] += 4 * registers(arg); next }
+op ~ /^str/ && arg ~ /\[sp, #-[0-9]+\]!/ { n = arg; sub(/.*#-/, "", n); frame[f] += n + 0; next }
+op ~ /^sub/ && arg ~ /^sp, (sp, )?#/ { n = arg; sub(/.*sp, #/, "", n); frame[f] += n + 0; next }
+op ~ /^ldr/ && arg ~ /^r[0-9]+, \[pc/ { r = arg; sub(/,.*/, "", r); n = arg; sub(/.*\(/, "", n); sub(/ .*/, "", n); loaded[r] = n; next }
+op ~ /^add/ && arg ~ /^sp, r/ { r = arg; sub(/.*, /, "", r); moved[f] = moved[f] " " loaded[r]; next }
+op ~ /^pop/ { popped = arg; next }
+op == "blx" { indirect[f] = 1; next }
+op == "bx" && arg !~ /^lr/ && index(popped, arg) == 0 { indirect[f] = 1; next }
+op ~ /^b/ && arg ~ /<[^+]*>/ {
+    to = arg; sub(/ .*/, "", to)
+    if (to != f && !((f, to) in edge)) { edge[f, to] = 1; calls[f] = calls[f] " " to }
+}
+function depth(g, left,    key, n, part, i, d, best, way, t, k) {
+    if (busy[g]) return 0
+    key = g SUBSEP left
     if (key in done) return done[key]
-    if (busy[f]) { recursive[f] = 1; return 0 }
-    busy[f] = 1
-    n = split(substr(calls[f], 2), part, SUBSEP)
+    busy[g] = 1
+    n = split(calls[g], part, " ")
     best = 0; way = ""
     for (i = 1; i <= n; i++) {
         d = depth(part[i], left)
-        if (d > best) { best = d; way = path[part[i] SUBSEP left] }
+        if (d > best) { best = d; way = path[part[i], left] }
     }
-    if (indirect[f] && left > 0)
-        for (g in target) {
-            d = depth(g, left - 1)
-            if (d > best) { best = d; way = path[g SUBSEP (left - 1)] }
-        }
-    busy[f] = 0
-    short = f; sub(/.*:/, "", short)
-    path[key] = short "(" (size[f] + 0) ")" (way == "" ? "" : " " way)
-    return done[key] = best + size[f]
+    if (indirect[g]) {
+        for (k = 1; k <= rules && plain(name[g]) !~ caller[k]; k++) continue
+        if (k > rules) untold[plain(name[g])] = 1
+        for (t in target)
+            if (target[t] >= left && ((k, target[t]) in may)) {
+                d = depth(t, target[t] + 1)
+                if (d > best) { best = d; way = "*" path[t, target[t] + 1] }
+            }
+    }
+    busy[g] = 0
+    path[key] = name[g] "(" (frame[g] + 0) ")" (way == "" ? "" : " " way)
+    return done[key] = best + frame[g]
+}
+function most(level, names,    g, d, best) {
+    best = 0
+    for (g in at) if (name[g] ~ names) { d = depth(g, ranks + 1) + 36; if (d > best) { best = d; isr[level] = name[g] } } # 8 words, and one to align
+    return best
 }
 END {
-    levels = INDIRECT == "" ? 4 : INDIRECT
-    for (f in size) if (!(f in called) && f != "main" && f != "start_reset" && f !~ /_isr$|unexpected|console_input_isr/) target[f] = 1
-    d = depth("main", levels)
-    isr = 0
-    for (f in size) if (f ~ /^port_.*_isr$/ && depth(f, 0) > isr) isr = depth(f, 0)
-    print d + 2 * (isr + 32), path["main" SUBSEP levels]
+    for (g in at) {
+        last = at[g]
+        odd = substr(last, 1, 7) substr("1133557799bbddff", index("0123456789abcdef", substr(last, 8)), 1)
+        if ((odd in word) && name[g] !~ /_isr$|^console_panic$|^start_reset$|^CSWTCH/) {
+            for (k = 1; k <= ranks && plain(name[g]) !~ rank[k]; k++) continue
+            if (k > ranks) unknown = unknown " " plain(name[g])
+            target[g] = k
+        }
+        n = split(moved[g], part, " ")
+        for (i = 1; i <= n; i++) if (value[part[i]] ~ /^ff/) frame[g] += 4294967296 - hex(value[part[i]])
+    }
+    for (g in at) if (name[g] == "start_reset") first = g
+    d = depth(first, 1)
+    d += most(0, "^(player_isr|port_timer_isr|player_dma_isr|port_switches_isr)$") + most(1, "^(port_plan_isr|ahead_plan_isr)$")
+    d += most(2, "^(port_uart_isr|console_uart_isr)$") + most(3, "^(port_wake_isr|port_pen_isr|port_systick_isr)$")
+    for (g in untold) unknown = unknown " " g "()"
+    if (unknown) print "not in pointers.txt:" unknown > "/dev/stderr"
+    print d, path[first, 1], "+", isr[0], isr[1], isr[2], isr[3]
 }

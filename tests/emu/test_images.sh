@@ -55,6 +55,16 @@ END
 else
     failed=$((failed + 1))
 fi
+# The bound of the stack. Calls through pointers that pointers.txt does not know are listed.
+if CROSS=arm-none-eabi- sh firmware/tools/sizes.sh "$build/firmware" rp2040 lm3s6965 nrf51 >"$work/sizes" 2>"$work/said" &&
+    [ "$(awk 'NR > 1 && NR <= 4 && $5 > 2000' "$work/sizes" | wc -l)" = 3 ]; then
+    echo '[       OK ] the stack of all images has a bound'
+    sed -n '2,4s/^/# flash, RAM, stack room, stack bound: /p' "$work/sizes"
+    sed 's/^/# /' "$work/said"
+else
+    cat "$work/sizes" "$work/said"
+    failed=$((failed + 1))
+fi
 [ "$failed" -eq 0 ] && exit 0
 echo "[  FAILED  ] $failed test(s), listed above"
 exit 1
