@@ -59,6 +59,11 @@
 #define CONFIG_LOWEST CONFIG_AREA
 #endif
 
+/* 1: how far ordering strokes is can be told (path_config_t.tell); 8 bytes of RAM. */
+#ifndef CONFIG_TELL_ORDER
+#define CONFIG_TELL_ORDER CONFIG_AREA
+#endif
+
 /* Columns of a data file that `using` may speak of: 16 bytes each. */
 #ifndef CONFIG_DATA_COLUMNS
 #define CONFIG_DATA_COLUMNS 32

@@ -120,6 +120,12 @@ const hidden_pause_t *picture_pause(picture_t *p) {
     return &p->pause;
 }
 
+#if CONFIG_TELL_ORDER
+static void order_tick(void *ctx, int32_t done, int32_t of) {
+    picture_tell(ctx, PICTURE_DRAW, done, of);
+}
+#endif
+
 int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t runs) {
     const machine_t *machine = &p->plot->settings->machine;
     uint32_t coarse = machine->steps_per_mm_q16[0] < machine->steps_per_mm_q16[1] ? machine->steps_per_mm_q16[0]
@@ -127,6 +133,10 @@ int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t r
     path_config_t config;
     path_default(&config, coarse);
     config.lines = growing;
+#if CONFIG_TELL_ORDER
+    config.tell = order_tick;
+    config.tell_ctx = p;
+#endif
     if (p->hooks && !p->trial) config.feed = p->hooks->feed;
     if (p->pauses) {
         const int32_t cap = p->hooks->waiting;

@@ -130,19 +130,36 @@ static int settle(path_t *p, int32_t start) {
     return p->fed->error;
 }
 
+/* How far ordering all that is left and drawing it is, in hundredths; a stage counts as much as it takes when there are
+ * a million runs. */
+enum { TOLD_PLACED = 10, TOLD_PAIRED = 30, TOLD_CLOSED = 35, TOLD_ORDERED = 65, TOLD_ALL = 100 };
+#define TELL_STROKES 16384
+
+static void tell(const path_t *p, bool all, int32_t done) {
+#if CONFIG_TELL_ORDER
+    if (all && p->config.tell) p->config.tell(p->config.tell_ctx, done, TOLD_ALL);
+#else
+    (void)p, (void)all, (void)done;
+#endif
+}
+
 /* all: nothing can come that continues a stroke. improve: there is time for it. */
 static void order(path_t *p, tour_t *tour, bool all, bool improve) {
     chain_t chain;
     pool_t *pool = &p->pool;
     p->stats.lost += chain_place(&chain, pool, p->map, p->config.step_lat / 4);
     account_arrivals(p, &chain, p->kept < pool->n ? p->kept : pool->n);
+    tell(p, all, TOLD_PLACED);
     chain_pair(&chain);
+    tell(p, all, TOLD_PAIRED);
     chain_close(&chain);
     loop_open(&chain);
     if (all) drop_dots(p, &chain);
     tour_collect(tour, &chain, p->leaves, p->config.home);
     pump(p);
+    tell(p, all, TOLD_CLOSED);
     tour_greedy(tour);
+    tell(p, all, TOLD_ORDERED);
     pump(p);
     int64_t operations = improve ? (int64_t)p->config.effort * tour->n : 0;
     if (operations > p->config.effort_max) operations = p->config.effort_max;
@@ -167,6 +184,8 @@ static int flush(path_t *p, enum flush why) {
     p->drawing = tour.n;
     for (int32_t k = 0; !err && k < count && (!p->fed || p->fed->ahead_us < until_us); k++) {
         p->drawn = k;
+        if (k % TELL_STROKES == 0)
+            tell(p, all, TOLD_ORDERED + (int32_t)((int64_t)k * (TOLD_ALL - TOLD_ORDERED) / count));
         tour_fetch(&tour, pool, k);
         int32_t start = tour_stroke(&tour, pool, k);
         if (!all && drop_if_dot(p, tour.point, start)) continue;

@@ -16,6 +16,7 @@
 #ifndef PATH_H
 #define PATH_H
 
+#include "config.h"
 #include "path/join.h"
 #include "path/outbox.h"
 #include "path/pool.h"
@@ -45,6 +46,10 @@ typedef struct path_config {
                            times as many; beyond some 10,000 lifting the pen takes hours, and what travel could still be
                            saved, minutes */
     page_point_t home;  /* where the pen starts and where it goes after the last stroke */
+#if CONFIG_TELL_ORDER
+    void (*tell)(void *ctx, int32_t done, int32_t of); /* how far ordering and drawing the rest is; or NULL */
+    void *tell_ctx;
+#endif
     const path_feed_t *feed; /* NULL: nothing is drawn before the pool is full or all ink is there */
 } path_config_t;
 

@@ -12,6 +12,15 @@ static double hill(double r) {
     return exp(-r * r);
 }
 
+/* What is told while strokes are put in order and drawn rises to the end. */
+static int32_t told;
+
+static void hear(void *ctx, int32_t done, int32_t of) {
+    (void)ctx;
+    assert_true(done >= told && done <= of);
+    told = done;
+}
+
 static path_stats_t draw(size_t bytes, int32_t lines, int32_t effort, drawn_t *d) {
     static uint64_t mem[1 << 14];
     const ink_map_t map = {&ink, surface_ink_point};
@@ -23,10 +32,14 @@ static path_stats_t draw(size_t bytes, int32_t lines, int32_t effort, drawn_t *d
     path_default(&c, 80 << 16);
     c.lines = lines;
     c.effort = effort;
+    c.tell = hear;
+    told = 0;
     assert_int_equal(path_init(&path, mem, bytes, &c, &map, &pen), 0);
     ink_sink_t s = path_sink(&path);
     for (int i = 0; i < ink.pieces; i++) assert_int_equal(s.piece(s.ctx, &ink.piece[i]), 0);
+    assert_int_equal(told, 0);
     assert_int_equal(path_finish(&path, &stats), 0);
+    assert_true(told > 0);
     assert_int_equal(stats.lost, 0);
     assert_int_equal(stats.strokes, d->strokes);
     return stats;
