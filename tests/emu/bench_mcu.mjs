@@ -13,7 +13,7 @@ import { join } from 'node:path';
 const build = process.argv[2];
 const tmp = mkdtempSync(join(tmpdir(), 'bench-mcu-'));
 const sizes = (name, usual) => (process.env[name] ?? usual).split(' ').filter(Boolean).map(Number);
-const SMOOTH = sizes('SIZES', '20 60 100 200'), RANDOM = sizes('RANDOM', '20 60 100');
+const SMOOTH = sizes('SIZES', '20 60 100'), RANDOM = sizes('RANDOM', '20 60 100');
 const FUNCTION = { smooth: 'exp(-x**2-y**2)', random: 'rand(0)' };
 const PICO_HZ = 125e6, FAST_HZ = 133e6;
 
@@ -61,7 +61,7 @@ function cpuMs(script, repeat) {
     { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }));
 }
 function gnuplotMs(shape, n) {
-  if (!gnuplotThere || (shape === 'random' && n > 100)) return undefined;
+  if (!gnuplotThere || (shape === 'random' && n > 200)) return undefined;
   const head = 'set term dumb\nset hidden3d\nset xrange [-2:2]\nset yrange [-2:2]\n';
   const empty = cpuMs(`${head}set isosamples 2\nset samples 2\nsplot 0 with lines\n`, 5);
   return Math.max(0, cpuMs(`${head}set isosamples ${n}\nset samples ${n}\nsplot ${FUNCTION[shape]} with lines\n`, n > 60 ? 1 : 5) - empty);
@@ -69,16 +69,16 @@ function gnuplotMs(shape, n) {
 
 function table() {
   console.log('RP2040 at 125 MHz: cycles per facet for evaluating, projecting and hiding; the whole surface, beside gnuplot on this PC\n');
-  console.log('| surface | n | evaluate | project | hide | together | ms | ms at 133 MHz | gnuplot hidden3d, CPU ms | gnuplot / board | line to first step, ms |');
-  console.log('|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|');
+  console.log('| surface | n | evaluate | project | hide | together | ms | ms at 133 MHz | gnuplot hidden3d, CPU ms | gnuplot / board | line to first step, ms | line to pen down, ms |');
+  console.log('|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|');
   for (const [shape, list] of [['smooth', SMOOTH], ['random', RANDOM]]) {
     for (const n of list) {
       const r = pico(shape, n, 'hidden', QUICK), c = r.cycles, facets = (n - 1) ** 2;
       const sum = c.measure + c.view + c.hide + c.evaluate, ms = (1e3 * sum) / PICO_HZ, g = gnuplotMs(shape, n);
-      const first = r.ms.step !== undefined ? r : pico(shape, n, 'step', QUICK);
+      const first = r.ms.pen !== undefined ? r : pico(shape, n, 'pen', QUICK);
       const cell = (v) => Math.round(v / facets).toLocaleString('en');
       console.log(`| ${shape} | ${n} | ${cell(c.measure + c.evaluate)} | ${cell(c.view)} | ${cell(c.hide)} | ${cell(sum)} | ${ms.toFixed(1)} | ` +
-        `${((1e3 * sum) / FAST_HZ).toFixed(1)} | ${g?.toFixed(0) ?? '-'} | ${g ? (g / ms).toFixed(2) : '-'} | ${(first.ms.step - first.ms.line).toFixed(1)} |`);
+        `${((1e3 * sum) / FAST_HZ).toFixed(1)} | ${g?.toFixed(0) ?? '-'} | ${g ? (g / ms).toFixed(2) : '-'} | ${(first.ms.step - first.ms.line).toFixed(1)} | ${(first.ms.pen - first.ms.line).toFixed(1)} |`);
     }
   }
 }
@@ -119,6 +119,16 @@ function qemu(board, shape, n, seconds) {
   return execFileSync('sh', ['tests/emu/bench_qemu.sh', build, board, stim], { encoding: 'latin1', timeout: 900e3 });
 }
 
+// Instructions a facet: interrupts and all, but no ink and no motion.
+function counted() {
+  console.log('\nQEMU: instructions per facet for evaluating, projecting and hiding (as often as the board does so at a time)\n');
+  console.log('| board | surface | n | instructions a facet |\n|---|---|--:|--:|');
+  for (const [board, shape, n] of [['lm3s6965', 'smooth', 60], ['lm3s6965', 'random', 60], ['nrf51', 'smooth', 60], ['nrf51', 'random', 32]]) {
+    const said = execFileSync('sh', ['tests/emu/bench_count.sh', build, board, stimulus(shape, n, '')], { encoding: 'utf8', timeout: 300e3 });
+    console.log(`| ${board} | ${shape} | ${n} | ${Math.round(Number(said) / (n - 1) ** 2).toLocaleString('en')} |`);
+  }
+}
+
 // Large scenes, computed and drawn to the end on the Pico. What is typed ahead is answered after the drawing.
 function large(shape, n) {
   const text = join(tmp, 'pico.txt'), begun = Date.now();
@@ -139,8 +149,9 @@ if (process.argv[3] === 'large') {
 
 table();
 solids();
+counted();
 const r = pico('smooth', 60, 'quit', '', '+230000000 type memory\\r\n+230300000 quit');
 memory('Pico, smooth 60x60, A4, 100 mm/s, drawn to the end', r.text);
 polygons();
-for (const [shape, n, seconds] of [['smooth', 60, 70], ['random', 32, 150]])
+for (const [shape, n, seconds] of [['smooth', 60, 120], ['random', 32, 200]])
   memory(`micro:bit, ${shape} ${n}x${n}, 60 mm/s, drawn to the end on small paper`, qemu('nrf51', shape, n, seconds));

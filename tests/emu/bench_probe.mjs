@@ -26,7 +26,8 @@ function symbolsOf(elf) {
     .filter((s) => s.at >= FLASH && s.size > 0).sort((a, b) => a.at - b.at);
 }
 
-// until: what ends the run: `hidden` (all is hidden, ordering begins), `step` (the machine begins to move), or `quit` of the
+// until: what ends the run: `hidden` (all is hidden, ordering begins), `step` (the machine begins to move), `pen` (the pen is
+// lowered), or `quit` of the
 // stimulus. out: where the report goes, as JSON. profile: how many of the dearest functions to list.
 export default function probe(mcu, elf, until, out, profile = '0') {
   const { core, clock } = mcu;
@@ -67,7 +68,7 @@ export default function probe(mcu, elf, until, out, profile = '0') {
   return {
     step(pc, n, waiting) {
       if (core.SP < low && stage >= 0) low = core.SP;
-      if (until === 'step' && ms.step !== undefined) return true;
+      if ((until === 'step' || until === 'pen') && ms[until] !== undefined) return true;
       if (waiting) {
         cycles.waiting += n;
         return false;

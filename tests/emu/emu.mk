@@ -17,6 +17,9 @@ $(foreach b,$(BOARDS),$(eval $(call sim_board,$b)))
 $(EMUDIR)/scope.so: tests/emu/scope.c tests/emu/stim.h
 	@mkdir -p $(@D)
 	$(Q)$(CC) -shared -fPIC -O2 -Wall -Wextra -o $@ $<
+$(EMUDIR)/count.so: tests/emu/count.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) -shared -fPIC -O2 -Wall -Wextra -o $@ $<
 # rp2040js, as the lock file says, outside of the source tree.
 $(EMUDIR)/node_modules/.ready: tests/emu/package.json tests/emu/package-lock.json
 	@mkdir -p $(EMUDIR)
@@ -40,7 +43,7 @@ bench-mcu-large: host $(EMUDIR)/node_modules/.ready $(BUILDDIR)/firmware/rp2040.
 bench-mcu: ## cycles per facet, memory and stack on the boards, in emulators, beside gnuplot (SIZES="20 60" RANDOM="20")
 	$(Q)sh .ci/deps.sh host firmware emu
 	+$(Q)$(again) bench-mcu-run
-bench-mcu-run: $(EMUDIR)/scope.so $(EMUDIR)/node_modules/.ready $(IMAGES) $(BUILDDIR)/bench/cpu_time
+bench-mcu-run: $(EMUDIR)/scope.so $(EMUDIR)/count.so $(EMUDIR)/node_modules/.ready $(IMAGES) $(BUILDDIR)/bench/cpu_time
 	$(Q)node tests/emu/bench_mcu.mjs $(BUILDDIR)
 # Images of their own, which no rate is too high for.
 .PHONY: bench-rates bench-rates-run

@@ -52,7 +52,7 @@ run_qemu() { # machine, 2^n ns an instruction, stim, drawings, wires, other opti
     # shellcheck disable=SC2086
     timeout ${emu_s:-300} qemu-system-arm -M "$1" -display none -monitor none -serial "file:$work/emu.txt" \
         -icount "shift=$2,align=off,sleep=off" -d guest_errors -D "$work/emu.log" $6 \
-        -plugin "$build/emu/scope.so,vcd=$work/emu.vcd,stim=$3,drawings=$4$5" -kernel "$build/firmware/$board.elf" \
+        -plugin "$build/emu/scope.so,vcd=$work/emu.vcd,stim=$3,drawings=$4$5" -kernel "$build/firmware/$board.elf" ${qemu_more-} \
         >"$work/emu.said" 2>&1 || return 1
     cat "$work/emu.said" "$work/emu.log" 2>/dev/null | quiet >"$work/emu.err"
     [ ! -s "$work/emu.err" ]
