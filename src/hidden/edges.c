@@ -85,11 +85,13 @@ bool edges_facet_is_right(const edges_t *e, pencil_t p0, pencil_t p1) {
     return false;
 }
 
-/* Is the edge at hand in a vertical plane through the eye? */
+/* Is the edge at hand in a vertical plane through the eye, so that both sides bound it? A row is also if it is so only
+ * nearly: rows are swept outward, so the side that is away from the eye has not been covered yet, and does not count.
+ * Of a column both sides have been. */
 static bool is_in_plane_of_eye(const edges_t *e) {
     const edges_edge_t *k = &e->edge;
     if (k->family == INK_CURVE) return false;
-    return k->family == INK_ROW ? chart_row_has_eye(&e->chart, k->line) : chart_column_has_eye(&e->chart, k->line);
+    return k->family == INK_ROW ? k->in_plane : chart_column_has_eye(&e->chart, k->line);
 }
 
 int edges_clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
@@ -163,8 +165,14 @@ bool edges_column_is_vertical(const edges_t *e, const chart_line_t *line, const 
 int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run) {
     pencil_t p0 = line->at[i], p1 = line->at[i + 1];
     const chart_column_t *c = e->chart.column;
-    e->edge = (edges_edge_t){
-        .family = INK_ROW, .line = line->j, .cell = i, .run = run, .g0 = 1, .g1 = 1, .way_q46 = INK_GRID_ONE};
+    e->edge = (edges_edge_t){.family = INK_ROW,
+                             .in_plane = line->in_plane,
+                             .line = line->j,
+                             .cell = i,
+                             .run = run,
+                             .g0 = 1,
+                             .g1 = 1,
+                             .way_q46 = INK_GRID_ONE};
     e->clipped += !e->outline_only && e->work != EDGES_COVER;
     if (e->chart.kind == CHART_EAST) {
         e->edge.g0 = c[i].r;

@@ -16,6 +16,7 @@ typedef struct edges_edge {
     int32_t line, cell;
     run_t *run;
     uint32_t g0, g1;            /* reciprocal distances of the ends (of the part being clipped) */
+    bool in_plane;              /* a row in the vertical plane of the eye, but for rounding */
     bool quiet;                 /* it only shapes the horizons: what is visible of it is known */
     int64_t start_q46, way_q46; /* the part that is being clipped, in space */
 } edges_edge_t;

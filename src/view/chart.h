@@ -62,6 +62,7 @@ typedef struct chart_line {
     uint8_t *hole; /* nx flags, or NULL when the grid has no holes */
     int32_t dy;    /* CHART_AROUND */
     uint32_t r;    /* CHART_NORTH: reciprocal of the row's distance */
+    bool in_plane; /* the row is in a vertical plane through the eye, or so nearly that nobody could tell */
 } chart_line_t;
 
 /* Chooses the chart for n grids over the same points (x, y), and a view. column: nx constants, must outlive c, as must

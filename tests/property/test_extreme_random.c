@@ -8,32 +8,10 @@
 
 #include <cmocka.h>
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
-#include "tests/oracle/run_cases.h"
+#include "tests/oracle/families.h"
 
 #define FIRST 9000000000u
-#define FAMILIES 16
-
-static double log_uniform(uint64_t *rng, double lo, double hi) {
-    return lo * pow(hi / lo, scene_uniform(rng));
-}
-
-static double *height(const scene_t *s, int i, int j) {
-    return &s->ref.z[j * s->ref.nx + i];
-}
-
-/* Somewhere in the rectangle: a vertex, a place on a grid line, or any. */
-static void place(const scene_t *s, uint64_t *rng, double at[3]) {
-    const surface_ref_t *r = &s->ref;
-    int i = scene_below(rng, r->nx - 1), j = scene_below(rng, r->ny - 1), kind = scene_below(rng, 3);
-    double u = kind > 0 ? scene_uniform(rng) : 0, v = kind > 1 ? scene_uniform(rng) : 0;
-    at[0] = r->x[i] + u * (r->x[i + 1] - r->x[i]);
-    at[1] = r->y[j] + v * (r->y[j + 1] - r->y[j]);
-    at[2] = (1 - v) * ((1 - u) * *height(s, i, j) + u * *height(s, i + 1, j)) +
-            v * ((1 - u) * *height(s, i, j + 1) + u * *height(s, i + 1, j + 1));
-}
 
 /* A parallel view of more would be no wider than a step. */
 static double highest(const scene_t *s) {
@@ -42,27 +20,28 @@ static double highest(const scene_t *s) {
 
 /* Heights up to 10^(1..6) times the base, most of them low, as 1/(x*x+y*y) has them; the eye near the foot. */
 static void tall(scene_t *s, uint64_t *rng) {
-    const double most = log_uniform(rng, 10, highest(s)), side = scene_below(rng, 2) ? 1 : -1;
+    const double most = family_log_uniform(rng, 10, highest(s)), side = scene_below(rng, 2) ? 1 : -1;
     for (int k = 0; k < s->ref.nx * s->ref.ny; k++) {
-        double z = log_uniform(rng, 1e-3, most);
+        double z = family_log_uniform(rng, 1e-3, most);
         s->ref.z[k] = scene_below(rng, 3) ? fmod(z, 1) : z * (scene_below(rng, 4) ? 1 : side);
     }
     if (scene_below(rng, 3) == 0) return;
     double at[3];
-    place(s, rng, at);
-    s->ref.eye = (exact_eye_t){at[0], at[1], at[2] + (scene_uniform(rng) < .5 ? -1 : 1) * log_uniform(rng, .01, 3), 1};
-    if (scene_below(rng, 2)) s->ref.eye.y = 2 + log_uniform(rng, .02, 10);
+    family_place(s, rng, at);
+    s->ref.eye =
+        (exact_eye_t){at[0], at[1], at[2] + (scene_uniform(rng) < .5 ? -1 : 1) * family_log_uniform(rng, .01, 3), 1};
+    if (scene_below(rng, 2)) s->ref.eye.y = 2 + family_log_uniform(rng, .02, 10);
 }
 
 /* 10^-3 over or under the surface. */
 static void skimming(scene_t *s, uint64_t *rng) {
     double at[3];
-    place(s, rng, at);
+    family_place(s, rng, at);
     s->ref.eye = (exact_eye_t){at[0], at[1], at[2] + (scene_below(rng, 2) ? -1e-3 : 1e-3), 1};
 }
 
 static void far_away(scene_t *s, uint64_t *rng) {
-    const double d = log_uniform(rng, 1e4, 1e6);
+    const double d = family_log_uniform(rng, 1e4, 1e6);
     s->ref.eye = (exact_eye_t){d * (scene_uniform(rng) - .5), d, d * (scene_uniform(rng) - .3), 1};
     if (scene_below(rng, 2)) s->ref.eye.x = s->ref.x[scene_below(rng, s->ref.nx)];
 }
@@ -108,21 +87,6 @@ static void cliffs(scene_t *s, uint64_t *rng) {
     if (s->ref.eye.h && scene_below(rng, 2)) s->ref.eye.z *= 1e4;
 }
 
-/* A hole that is a half-plane, a ring, a checkerboard, or spots. */
-static void holes(scene_t *s, uint64_t *rng) {
-    const int kind = scene_below(rng, 4), cut = scene_below(rng, 5);
-    const surface_ref_t *r = &s->ref;
-    if (r->hole == NULL) return;
-    for (int j = 0; j < r->ny; j++)
-        for (int i = 0; i < r->nx; i++) {
-            int d = (int)hypot(i - r->nx / 2, j - r->ny / 2);
-            r->hole[j * r->nx + i] = (unsigned char)(kind == 0   ? i + j < cut + 1
-                                                     : kind == 1 ? d < 1 || d > 1 + cut
-                                                     : kind == 2 ? ((i / 2 + j / 2) & 1) != 0
-                                                                 : scene_below(rng, 6) == 0);
-        }
-}
-
 /* What people type that grows out of bounds: the heights are as steep as the functions are. */
 static double steep_function(int which, double x, double y) {
     switch (which) {
@@ -147,19 +111,20 @@ static double steep_function(int which, double x, double y) {
 
 static void steep(scene_t *s, uint64_t *rng) {
     const int which = scene_below(rng, 8);
-    const double kx = log_uniform(rng, .5, 3), ky = log_uniform(rng, .5, 3), most = log_uniform(rng, 1e2, highest(s));
+    const double kx = family_log_uniform(rng, .5, 3), ky = family_log_uniform(rng, .5, 3),
+                 most = family_log_uniform(rng, 1e2, highest(s));
     for (int j = 0; j < s->ref.ny; j++)
         for (int i = 0; i < s->ref.nx; i++) {
             double z = steep_function(which, kx * s->ref.x[i], ky * s->ref.y[j]);
             if (!(z < most)) z = most; /* a pole, or 0 / 0 */
-            *height(s, i, j) = z < -most ? -most : z;
+            *family_height(s, i, j) = z < -most ? -most : z;
         }
 }
 
 /* Levels a million apart, exactly or nearly. */
 static void high_cliffs(scene_t *s, uint64_t *rng) {
-    const double high = highest(s) * log_uniform(rng, 1e-2, 1);
-    const double rough = scene_below(rng, 2) ? log_uniform(rng, 1e-9, 1) : 0;
+    const double high = highest(s) * family_log_uniform(rng, 1e-2, 1);
+    const double rough = scene_below(rng, 2) ? family_log_uniform(rng, 1e-9, 1) : 0;
     for (int k = 0; k < s->ref.nx * s->ref.ny; k++) {
         s->ref.z[k] = high * (scene_below(rng, 3) - 1) + rough * scene_uniform(rng);
     }
@@ -171,7 +136,7 @@ static void mixed(scene_t *s, uint64_t *rng) {
     static void (*const shape[])(scene_t * s, uint64_t * rng) = {tall, high_cliffs, steep, billionths, cliffs};
     const int heights = scene_below(rng, 7), eye = scene_below(rng, 5);
     if (scene_below(rng, 2)) {
-        scene_stretch(s, log_uniform(rng, 10, 1e4), rng);
+        scene_stretch(s, family_log_uniform(rng, 10, 1e4), rng);
         snap(s);
     }
     if (heights < 5) shape[heights](s, rng);
@@ -179,22 +144,15 @@ static void mixed(scene_t *s, uint64_t *rng) {
     if (eye == 1) far_away(s, rng);
     if (eye == 2) { /* in a plane of the grid, or almost */
         s->ref.eye.x = s->ref.x[scene_below(rng, s->ref.nx)];
-        if (scene_below(rng, 2)) s->ref.eye.x += log_uniform(rng, 1e-12, 1e-3);
+        if (scene_below(rng, 2)) s->ref.eye.x += family_log_uniform(rng, 1e-12, 1e-3);
     }
     if (eye == 3) {
         double at[3];
-        place(s, rng, at);
-        s->ref.eye = (exact_eye_t){at[0], at[1], at[2] + log_uniform(rng, 1e-3, 10), 1};
-        if (scene_below(rng, 2)) s->ref.eye.y = 2 + log_uniform(rng, 1e-3, 10);
+        family_place(s, rng, at);
+        s->ref.eye = (exact_eye_t){at[0], at[1], at[2] + family_log_uniform(rng, 1e-3, 10), 1};
+        if (scene_below(rng, 2)) s->ref.eye.y = 2 + family_log_uniform(rng, 1e-3, 10);
     }
 }
-
-/* A family: its name in front of the figures, and how a random scene is pushed there; holes: it may have some. */
-typedef struct family {
-    const char *name;
-    void (*push)(scene_t *s, uint64_t *rng);
-    bool holes;
-} family_t;
 
 static void billionfold(scene_t *s, uint64_t *rng) {
     (void)rng;
@@ -205,7 +163,7 @@ static void billionth(scene_t *s, uint64_t *rng) {
     rescale(s, 1e-9, 1e-9, 1e-9);
 }
 static void wide(scene_t *s, uint64_t *rng) {
-    rescale(s, log_uniform(rng, 1, 1e3), 1, log_uniform(rng, .1, 100));
+    rescale(s, family_log_uniform(rng, 1, 1e3), 1, family_log_uniform(rng, .1, 100));
 }
 static void stretched(scene_t *s, uint64_t *rng) {
     scene_stretch(s, 1e4, rng);
@@ -213,14 +171,14 @@ static void stretched(scene_t *s, uint64_t *rng) {
 }
 static void tall_with_holes(scene_t *s, uint64_t *rng) {
     tall(s, rng);
-    holes(s, rng);
+    family_holes(s, rng);
 }
 static void mixed_with_holes(scene_t *s, uint64_t *rng) {
     mixed(s, rng);
-    holes(s, rng);
+    family_holes(s, rng);
 }
 
-static const family_t families[FAMILIES] = {
+static const family_t families[] = {
     {"tall", tall, false},
     {"skimming", skimming, false},
     {"far", far_away, false},
@@ -231,7 +189,7 @@ static const family_t families[FAMILIES] = {
     {"lattice", lattice, false},
     {"1e-9", billionths, false},
     {"cliffs", cliffs, false},
-    {"holes", holes, true},
+    {"holes", family_holes, true},
     {"tall with holes", tall_with_holes, true},
     {"cliffs of 1e6", high_cliffs, false},
     {"steep functions", steep, false},
@@ -239,60 +197,9 @@ static const family_t families[FAMILIES] = {
     {"mixed with holes", mixed_with_holes, true},
 };
 
-/* How far the eye is from the surface over or under it, measured across. On the surface nothing has a right answer. */
-static double clearance(const scene_t *s) {
-    const surface_ref_t *r = &s->ref;
-    const exact_eye_t *e = &r->eye;
-    if (!e->h) return INFINITY;
-    double least = INFINITY;
-    for (int j = 0; j + 1 < r->ny; j++)
-        for (int i = 0; i + 1 < r->nx; i++) {
-            const double dx = r->x[i + 1] - r->x[i], dy = r->y[j + 1] - r->y[j];
-            const double u = fmin(fmax((e->x - r->x[i]) / dx, 0), 1), v = fmin(fmax((e->y - r->y[j]) / dy, 0), 1);
-            const double z00 = *height(s, i, j), z10 = *height(s, i + 1, j), z01 = *height(s, i, j + 1),
-                         z11 = *height(s, i + 1, j + 1);
-            const double slope_x = ((1 - v) * (z10 - z00) + v * (z11 - z01)) / dx;
-            const double slope_y = ((1 - u) * (z01 - z00) + u * (z11 - z10)) / dy;
-            const double z = (1 - v) * ((1 - u) * z00 + u * z10) + v * ((1 - u) * z01 + u * z11);
-            const double across = fabs(e->z - z) / hypot(1, hypot(slope_x, slope_y));
-            least = fmin(least, hypot(across, hypot(e->x - r->x[i] - u * dx, e->y - r->y[j] - v * dy)));
-        }
-    return least;
-}
-
-static void push(scene_t *s, const family_t *f, uint64_t *rng) {
-    f->push(s, rng);
-    const double width = s->ref.x[s->ref.nx - 1] - s->ref.x[0];
-    for (int k = 0; k < 40 && clearance(s) < 25e-6 * width; k++) s->ref.eye.z += width * ldexp(25e-5, k);
-    scene_aim(s);
-    strncat(s->what, ", ", sizeof s->what - strlen(s->what) - 1);
-    strncat(s->what, f->name, sizeof s->what - strlen(s->what) - 1);
-}
-
 static void test_families(void **state) {
     (void)state;
-    uint64_t first = FIRST, count = cases_scaled(300) * FAMILIES;
-    int failed = 0;
-    cases_t c[FAMILIES];
-    for (int f = 0; f < FAMILIES; f++) c[f] = (cases_t){.name = families[f].name, .program = "test_extreme_random"};
-    if (cases_only_seed(&first)) {
-        count = 1;
-    } else {
-        first = cases_first(first, count);
-    }
-    for (uint64_t seed = first; seed < first + count && failed < 20; seed++) {
-        const int family = (int)(seed % FAMILIES);
-        scene_t s;
-        uint64_t rng = seed ^ 0xe7;
-        scene_random(&s, seed, 10, families[family].holes);
-        push(&s, &families[family], &rng);
-        if (!cases_surface(&c[family], &s, seed, failed < 3)) failed++;
-        scene_free(&s);
-    }
-    for (int f = 0; f < FAMILIES; f++) {
-        if (c[f].run > 0) cases_summary(&c[f]);
-    }
-    assert_int_equal(failed, 0);
+    assert_int_equal(families_run("test_extreme_random", families, sizeof families / sizeof *families, FIRST, 300), 0);
 }
 
 int main(void) {
