@@ -135,11 +135,13 @@ static bool is_steep(const num_t z[2], const num_t v[2], const num_t eye_z, num_
     return num_cmp(most, num_ldexp(least, MAX_STEEP)) > 0;
 }
 
-/* How many times as wide as its nearest distance a rectangle is seen, in units of its own sides. */
+/* How many times as wide as its nearest distance a rectangle is seen, in the world or in units of its own sides,
+ * whatever is less: a long one that is seen from its short end is narrow, however near that end is for its length. */
 static num_t slope_of(const num_t u[2], const num_t v[2], num_t eye_u, num_t eye_v) {
-    num_t wide = max_num(num_abs(num_sub(u[0], eye_u)), num_abs(num_sub(u[1], eye_u)));
-    num_t near = num_cmp(eye_v, v[0]) < 0 ? num_sub(v[0], eye_v) : num_sub(eye_v, v[1]);
-    return num_div(num_mul(wide, num_sub(v[1], v[0])), num_mul(near, num_sub(u[1], u[0])));
+    const num_t wide = max_num(num_abs(num_sub(u[0], eye_u)), num_abs(num_sub(u[1], eye_u)));
+    const num_t near = num_cmp(eye_v, v[0]) < 0 ? num_sub(v[0], eye_v) : num_sub(eye_v, v[1]);
+    const num_t slope = num_div(wide, near), own = num_div(num_mul(slope, num_sub(v[1], v[0])), num_sub(u[1], u[0]));
+    return num_cmp(own, slope) < 0 ? own : slope;
 }
 
 void chart_init(chart_t *c, grid_t *const grid[], int32_t n, const camera_t *cam, chart_column_t *column) {
