@@ -34,6 +34,31 @@ static int add_lit(edges_t *e, int64_t from, int64_t to) {
     return 0;
 }
 
+/* Adds what of [from, to] has not been taken. */
+static int add_new(edges_t *e, int64_t from, int64_t to) {
+    const edges_taken_t whole = {from, to};
+    while (from < to) {
+        int64_t next = to;
+        bool done = false;
+        for (int32_t k = 0; k < e->edge.taken && !done; k++) {
+            const edges_taken_t *t = &e->taken[k];
+            if (t->to_q46 <= from) continue;
+            done = t->from_q46 <= from;
+            if (done) {
+                from = t->to_q46;
+            } else if (t->from_q46 < next) {
+                next = t->from_q46;
+            }
+        }
+        if (done) continue;
+        int err = add_lit(e, from, next);
+        if (err != 0) return err;
+        from = next;
+    }
+    if (e->edge.taken < EDGES_TAKEN) e->taken[e->edge.taken++] = whole;
+    return 0;
+}
+
 /* How far along the part that is being clipped a fraction of the chart is in space. */
 static inline int64_t in_space(const edges_edge_t *k, int32_t at_q30) {
     if (at_q30 == 0) return 0;
@@ -46,6 +71,8 @@ static inline int64_t in_space(const edges_edge_t *k, int32_t at_q30) {
 static int place_part(edges_t *e, int32_t from, int32_t to) {
     const edges_edge_t *k = &e->edge;
     const int64_t a = k->start_q46 + in_space(k, from), b = k->start_q46 + in_space(k, to);
+    if (e->edge.taken > 0) return add_new(e, a, b);
+    e->taken[e->edge.taken++] = (edges_taken_t){a, b};
     if (e->shades > 0) return add_lit(e, a, b);
     if (a >= b) return 0;
     const int64_t base = k->cell * INK_GRID_ONE;

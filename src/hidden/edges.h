@@ -19,7 +19,15 @@ typedef struct edges_edge {
     bool in_plane;              /* a row in the vertical plane of the eye, but for rounding */
     bool quiet;                 /* it only shapes the horizons: what is visible of it is known */
     int64_t start_q46, way_q46; /* the part that is being clipped, in space */
+    int32_t taken;              /* how many parts of the edge have been, see edges_t.taken */
 } edges_edge_t;
+
+/* A part of the edge at hand that has been taken. Where the horizons meet, or a window and a horizon, lines that all
+ * but coincide may show in both. */
+typedef struct edges_taken {
+    int64_t from_q46, to_q46;
+} edges_taken_t;
+#define EDGES_TAKEN 4
 
 /* What remembers what is covered: two horizons; or they and the windows between them, for a surface with holes and for
  * several surfaces. */
@@ -59,6 +67,7 @@ typedef struct edges {
     int64_t clipped;
     runs_t runs;
     edges_edge_t edge;
+    edges_taken_t taken[EDGES_TAKEN];
 } edges_t;
 
 /* Prepares the cover (seen: see chart_seen; turn: see sweep_init) in pool[0..count), after the chart. Returns 0 or

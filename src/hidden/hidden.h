@@ -30,7 +30,8 @@ typedef struct hidden_job {
     void (*tick)(void *ctx, int32_t done, int32_t of); /* once a row (profile), for progress; may be NULL */
     void *tick_ctx;
     bool in_turn; /* perimeter: the upper horizon first, then the lower one in the same memory. The same ink in another
-                     order; twice the time, and the horizons take half */
+                     order, but for lines on both horizons, which may be drawn for either; twice the time, and the
+                     horizons take half */
     const hidden_pause_t *pause; /* perimeter, horizon; may be NULL */
 } hidden_job_t;
 
