@@ -175,9 +175,9 @@ static inline int clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
 }
 
 /* `across` is the edge's constant distance from the eye in CHART_AROUND: an edge that is several lines there is
- * vertical only if it passes under the eye. */
+ * vertical only if it passes under the eye, or so close to that that its far part is. */
 static bool is_vertical(const edges_t *e, pencil_t p0, pencil_t p1, const int32_t *across) {
-    if (e->chart.kind == CHART_AROUND && !edges_is_straight(p0, p1)) return *across == 0;
+    if (e->chart.kind == CHART_AROUND && !edges_is_straight(p0, p1)) return pencil_abs(*across) <= CHART_IN_PLANE;
     return envelope_vertical(p0, p1);
 }
 

@@ -14,9 +14,6 @@
 
 _Static_assert(30 - 7 >= 17 + 5, "at MAX_SLOPE 32 units are left to a quarter of a step on A4 (2^-17 of the page)");
 
-/* Units: a row within so many is seen as one vertical line, a thirtieth of a step wide at most. */
-#define IN_PLANE (1 << 10)
-
 static num_t max_num(num_t a, num_t b) {
     return num_cmp(a, b) < 0 ? b : a;
 }
@@ -249,7 +246,7 @@ void chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line) {
     line->j = j;
     if (c->kind == CHART_AROUND) {
         chart_around_row(c, g, j, y, line);
-        line->in_plane = pencil_abs(line->dy) <= IN_PLANE;
+        line->in_plane = pencil_abs(line->dy) <= CHART_IN_PLANE;
         return;
     }
     const rise_t rise = rise_of(c, g, plane ? c->plane.z_ref : c->z_ref);
@@ -273,7 +270,7 @@ void chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line) {
     case CHART_AROUND:
         break;
     }
-    line->in_plane = pencil_abs(line->at[nx - 1].a - line->at[0].a) <= IN_PLANE;
+    line->in_plane = pencil_abs(line->at[nx - 1].a - line->at[0].a) <= CHART_IN_PLANE;
 }
 
 int64_t chart_unproject(int32_t u_q30, uint32_t g0, uint32_t g1) {

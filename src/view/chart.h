@@ -27,6 +27,8 @@
 
 #define CHART_NONE INT32_MIN
 #define CHART_SECTOR_BITS 28 /* CHART_AROUND: a sector is 2^28 units wide, the middle one of three cuts is at 0 */
+/* Units: a row within so many is seen as one vertical line, a thirtieth of a step wide at most. */
+#define CHART_IN_PLANE (1 << 10)
 
 enum chart_kind { CHART_PARALLEL, CHART_NORTH, CHART_EAST, CHART_AROUND, CHART_VERTICAL };
 
