@@ -106,8 +106,8 @@ void judge_edge(const judge_subject_t *r, const page_view_t *v, int family, int 
     if (steps > 0 && page_view_clip(v, e, &t0, &t1) && page_view_point(v, between(e, t0), &x0, &y0) &&
         page_view_point(v, between(e, t1), &x1, &y1) && hypot(x1 - x0, y1 - y0) > 0) {
         double d = steps * STEP / hypot(x1 - x0, y1 - y0);
-        for (int s = 0; s < 8; s++) { /* by less as well: what is next to it may be thinner than a step */
-            double side = (s & 1 ? d : -d) * (s < 2 ? 1. / 512 : s < 4 ? 1. / 64 : s < 6 ? 1. / 8 : 1);
+        for (int s = 0; s < 10; s++) { /* by less as well: what is next to it may be thinner than a step */
+            const double side = (s & 1 ? d : -d) * ldexp(1, 3 * (s / 2 - 4));
             page_view_shift(v, e, -side * (y1 - y0), side * (x1 - x0), moved[s & 1]);
             r->moved(r->ref, family, line, k, moved[s & 1], &part);
             spans_subtract(visible, &part, &keep);

@@ -13,14 +13,11 @@
 
 #define FIRST 9000000000u
 
-/* A parallel view of more would be no wider than a step. */
-static double highest(const scene_t *s) {
-    return s->ref.eye.h ? 1e6 : 1e3;
-}
+#define HIGHEST 1e6
 
 /* Heights up to 10^(1..6) times the base, most of them low, as 1/(x*x+y*y) has them; the eye near the foot. */
 static void tall(scene_t *s, uint64_t *rng) {
-    const double most = family_log_uniform(rng, 10, highest(s)), side = scene_below(rng, 2) ? 1 : -1;
+    const double most = family_log_uniform(rng, 10, HIGHEST), side = scene_below(rng, 2) ? 1 : -1;
     for (int k = 0; k < s->ref.nx * s->ref.ny; k++) {
         double z = family_log_uniform(rng, 1e-3, most);
         s->ref.z[k] = scene_below(rng, 3) ? fmod(z, 1) : z * (scene_below(rng, 4) ? 1 : side);
@@ -33,11 +30,12 @@ static void tall(scene_t *s, uint64_t *rng) {
     if (scene_below(rng, 2)) s->ref.eye.y = 2 + family_log_uniform(rng, .02, 10);
 }
 
-/* 10^-3 over or under the surface. */
+/* 10^-3 over or under the surface, or less. */
 static void skimming(scene_t *s, uint64_t *rng) {
     double at[3];
     family_place(s, rng, at);
-    s->ref.eye = (exact_eye_t){at[0], at[1], at[2] + (scene_below(rng, 2) ? -1e-3 : 1e-3), 1};
+    s->ref.eye =
+        (exact_eye_t){at[0], at[1], at[2] + (scene_below(rng, 2) ? -1 : 1) * family_log_uniform(rng, 1e-4, 1e-3), 1};
 }
 
 static void far_away(scene_t *s, uint64_t *rng) {
@@ -112,7 +110,7 @@ static double steep_function(int which, double x, double y) {
 static void steep(scene_t *s, uint64_t *rng) {
     const int which = scene_below(rng, 8);
     const double kx = family_log_uniform(rng, .5, 3), ky = family_log_uniform(rng, .5, 3),
-                 most = family_log_uniform(rng, 1e2, highest(s));
+                 most = family_log_uniform(rng, 1e2, HIGHEST);
     for (int j = 0; j < s->ref.ny; j++)
         for (int i = 0; i < s->ref.nx; i++) {
             double z = steep_function(which, kx * s->ref.x[i], ky * s->ref.y[j]);
@@ -123,7 +121,7 @@ static void steep(scene_t *s, uint64_t *rng) {
 
 /* Levels a million apart, exactly or nearly. */
 static void high_cliffs(scene_t *s, uint64_t *rng) {
-    const double high = highest(s) * family_log_uniform(rng, 1e-2, 1);
+    const double high = HIGHEST * family_log_uniform(rng, 1e-2, 1);
     const double rough = scene_below(rng, 2) ? family_log_uniform(rng, 1e-9, 1) : 0;
     for (int k = 0; k < s->ref.nx * s->ref.ny; k++) {
         s->ref.z[k] = high * (scene_below(rng, 3) - 1) + rough * scene_uniform(rng);
