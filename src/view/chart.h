@@ -59,12 +59,12 @@ typedef struct chart {
 /* One row of the grid in pencil coordinates. */
 typedef struct chart_line {
     int32_t j;
+    bool in_plane; /* the row is in a vertical plane through the eye, or so nearly that nobody could tell */
     pencil_t *at;  /* nx points */
     int64_t *z;    /* nx heights relative to the eye (CHART_AROUND), less than 2^60, in the scale of w's numerator */
     uint8_t *hole; /* nx flags, or NULL when the grid has no holes */
     int32_t dy;    /* CHART_AROUND */
     uint32_t r;    /* CHART_NORTH: reciprocal of the row's distance */
-    bool in_plane; /* the row is in a vertical plane through the eye, or so nearly that nobody could tell */
 } chart_line_t;
 
 /* Chooses the chart for n grids over the same points (x, y), and a view. column: nx constants, must outlive c, as must
