@@ -10,7 +10,7 @@
 #define INTEGER_SCENE_SIDE 9 /* most points a side */
 #endif
 #ifndef INTEGER_SCENE_BYTES
-#define INTEGER_SCENE_BYTES 8192 /* lent to the kernels */
+#define INTEGER_SCENE_BYTES 9216 /* lent to the kernels */
 #endif
 
 enum integer_family { FAMILY_SMOOTH, FAMILY_RANDOM, FAMILY_CLIFFS, FAMILY_GRAZING, FAMILY_FAR, FAMILY_ANY };
