@@ -154,4 +154,4 @@ const r = pico('smooth', 60, 'quit', '', '+230000000 type memory\\r\n+230300000 
 memory('Pico, smooth 60x60, A4, 100 mm/s, drawn to the end', r.text);
 polygons();
 for (const [shape, n, seconds] of [['smooth', 60, 120], ['random', 32, 200]])
-  memory(`micro:bit, ${shape} ${n}x${n}, 60 mm/s, drawn to the end on small paper`, qemu('nrf51', shape, n, seconds));
+  memory(`micro:bit, ${shape} ${n}x${n}, drawn to the end on small paper`, qemu('nrf51', shape, n, seconds));
