@@ -233,9 +233,14 @@ int main(int argc, char **argv) {
         "and "
         "a line cut k times by k times that; lines nearer than 4 units to each other count as one, and the nearer "
         "wins; of a facet right below or above the eye its four corners do not tell on which side the eye is, so what "
-        "it hides may count either way; and an end lies on its edge to 2^-30 of the edge's length, a quarter step on "
-        "the page for an edge 20,000 times as long as it is away (`test_extreme_random` counts the scenes in which "
-        "that is to blame).\n\n![a sheet](hard-1.png)\n",
+        "it hides may count either way; an end lies on its edge to 2^-46 of the edge's length, a quarter step on the "
+        "page for an edge 10^9 times as long as it is away (2^-30 and 20,000 times on profiles and curves); where "
+        "lines "
+        "cross on the page at less than 10^-5, as cliffs of 10^6 close to the eye do, the crossing may move along "
+        "them, "
+        "so a gap thinner than 10^-4 steps may close or open. An eye nearer to the surface than 25 millionths of the "
+        "scene's width is drawn for, but what it sees is not promised: `test_extreme_random` keeps that far "
+        "off.\n\n![a sheet](hard-1.png)\n",
         count, NAIVE_COLUMNS, steps(all.ours.missing_mm), steps(all.ours.false_mm), all.ours.end_steps, all.naive_wrong,
         steps(all.naive.missing_mm), steps(all.naive.false_mm));
     return 0;

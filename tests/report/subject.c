@@ -124,7 +124,7 @@ int subject_judge(subject_t *u, int every, judge_report_t *rep, hidden_stats_t *
 }
 
 static int drop(void *ctx, const ink_piece_t *p) {
-    *(int64_t *)ctx += p->to - p->from;
+    *(uint64_t *)ctx += (uint64_t)(p->to - p->from); /* so that nothing is left out; may go round */
     return 0;
 }
 
