@@ -262,9 +262,8 @@ size_t picture_bytes_least(const plot_t *plot) {
     const enum hidden_mode hidden = plot->settings->hidden;
     const bool boxes = CONFIG_SOLIDS && plot->kind == PLOT_SOLIDS && hidden != HIDDEN_HORIZON && hidden != HIDDEN_AREA;
     if (boxes) return picture_boxes_bytes(plot) + 2 * PATH_BYTES_MIN;
-    bool turns = plot->kind == PLOT_SURFACES && plot->n == 1; /* half the horizons at a time */
-    return hiding_bytes(plot, turns ? EACH_ROUGH / 2 : EACH_ROUGH, false) + 2 * PATH_BYTES_MIN +
-           WAITING_BYTES(CONFIG_WAITING) + 16;
+    bool strips = plot->kind == PLOT_SURFACES && plot->n == 1; /* a part of the horizons at a time */
+    return hiding_bytes(plot, strips ? 1 : EACH_ROUGH, false) + 2 * PATH_BYTES_MIN + WAITING_BYTES(CONFIG_WAITING) + 16;
 }
 
 picture_progress_t picture_progress(const picture_t *p) {

@@ -45,8 +45,8 @@ enum picture_share {
     PICTURE_SHARE_USUAL,  /* half, or a quarter of a large block, to hiding */
     PICTURE_SHARE_SMOOTH, /* hiding gets as much as most smooth surfaces need, if that is more */
     PICTURE_SHARE_HIDING, /* ordering gets the least */
-    PICTURE_SHARE_TURNS,  /* and surfaces have one horizon after the other in memory (hidden_job_t) */
-    PICTURE_SHARES,
+    PICTURE_SHARE_STRIPS, /* and a surface is hidden in two strips one after the other (hidden_job_t) */
+    PICTURE_SHARES = PICTURE_SHARE_STRIPS + 4 /* ... or in 4, 8, 16 */
 };
 
 typedef struct picture_hooks {

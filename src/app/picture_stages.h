@@ -55,9 +55,10 @@ void picture_hidden(picture_t *p, int32_t done, int32_t of, int32_t facets);
 void *picture_kernel_memory(picture_t *p, size_t *bytes);
 /* For the job of a kernel that pauses; to be called before picture_open. NULL if it need not. */
 const hidden_pause_t *picture_pause(picture_t *p);
-/* One horizon after the other, to save memory? */
-static inline bool picture_in_turn(const picture_t *p) {
-    return p->hooks && p->hooks->share == PICTURE_SHARE_TURNS;
+/* In how many strips is a surface hidden, to save memory? */
+static inline int32_t picture_strips(const picture_t *p) {
+    const int more = p->hooks ? (int)p->hooks->share - PICTURE_SHARE_HIDING : 0;
+    return more > 0 ? 1 << more : 1;
 }
 
 #endif

@@ -196,7 +196,7 @@ static int draw(picture_t *p, const pen_sink_t *pen) {
     if (p->plot->settings->outline && !isolines) sink = grid_outline_sink(&outline);
 #endif
     const hidden_job_t job = {
-        kernel, kernel_bytes, &sink, hide_tick, p, picture_in_turn(p), p->pauses ? &p->pause : NULL};
+        kernel, kernel_bytes, &sink, hide_tick, p, picture_strips(p), p->pauses ? &p->pause : NULL};
     if (hidden == HIDDEN_HALO) {
         err = CONFIG_HALO ? picture_halo_surfaces(p, &job) : ERR_UNSUPPORTED;
         p->stats.kernel_bytes = p->stats.hidden.bytes;

@@ -99,8 +99,15 @@ int edges_take_part(void *ctx, envelope_part_t part) {
 int edges_take_unseen(edges_t *e, int64_t s0, int64_t s1) {
     e->edge.start_q46 = s0;
     e->edge.way_q46 = s1 - s0;
-    if (e->outline_only || e->horizons.upper_apart || e->work == EDGES_COVER) return 0;
+    if (e->outline_only || e->work == EDGES_COVER) return 0;
+    if (e->cover == COVER_STRIP && !e->strip.first) return 0;
     return edges_take_part(e, (envelope_part_t){.to_q30 = ONE_Q30});
+}
+
+/* Of a line that was cut to the strip. */
+static int take_in_strip(void *ctx, envelope_part_t part) {
+    const edges_t *e = ctx;
+    return strip_keep(&e->strip, &part) ? edges_take_part(ctx, part) : 0;
 }
 
 bool edges_facet_is_right(const edges_t *e, pencil_t p0, pencil_t p1) {
@@ -124,9 +131,10 @@ static bool is_in_plane_of_eye(const edges_t *e) {
 int edges_clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
     if (e->chart.kind == CHART_VERTICAL) return edges_take_unseen(e, 0, INK_GRID_ONE);
     if (envelope_vertical(p0, p1)) e->horizons.in_plane = is_in_plane_of_eye(e);
-    if (e->cover == COVER_HORIZONS && e->work != EDGES_COVER)
+    if (e->cover == COVER_STRIP && !strip_cut(&e->strip, &p0, &p1)) return 0;
+    if (e->cover != COVER_WINDOWS && e->work != EDGES_COVER)
         return e->work == EDGES_LOOK ? horizons_look(&e->horizons, p0, p1) : horizons_clip(&e->horizons, p0, p1);
-    if (e->cover == COVER_HORIZONS) {
+    if (e->cover != COVER_WINDOWS) {
         if (p0.a == p1.a) return 0;
         return p0.a < p1.a ? horizons_raise(&e->horizons, p0, p1) : horizons_raise(&e->horizons, p1, p0);
     }
@@ -149,10 +157,9 @@ static int lowest_bits(int32_t columns, size_t vertices) {
     return LOWEST_VERTICES(bits) <= vertices / LOWEST_PART ? bits : -1;
 }
 
-int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_t seen, int turn, pencil_t *pool,
-               size_t count) {
+int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_t seen, pencil_t *pool, size_t count) {
     const bool windows = cover == COVER_WINDOWS;
-    const bool upper = windows || (seen >= 0 && turn >= 0), lower = windows || (seen <= 0 && turn <= 0);
+    const bool upper = windows || seen >= 0, lower = windows || seen <= 0;
     e->runs = (runs_t){.sink = sink};
     e->cover = cover;
     if (windows) {
@@ -162,8 +169,8 @@ int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_
     }
     int bits = windows || !CONFIG_LOWEST ? -1 : lowest_bits(e->chart.grid->nx, count);
     size_t lent = bits < 0 ? 0 : LOWEST_VERTICES(bits);
-    int err = horizons_init(&e->horizons, upper, lower, pool + lent, count - lent, edges_take_part, e);
-    e->horizons.upper_apart = turn < 0;
+    int err = horizons_init(&e->horizons, upper, lower, pool + lent, count - lent,
+                            cover == COVER_STRIP ? take_in_strip : edges_take_part, e);
     if (lent) horizons_lend(&e->horizons, (int16_t *)(void *)pool, bits);
     return err;
 }

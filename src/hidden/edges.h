@@ -7,6 +7,7 @@
 #include "hidden/horizons.h"
 #include "hidden/runs.h"
 #include "hidden/shade.h"
+#include "hidden/strip.h"
 #include "hidden/windows.h"
 #include "view/chart_around.h"
 
@@ -29,9 +30,9 @@ typedef struct edges_taken {
 } edges_taken_t;
 #define EDGES_TAKEN 4
 
-/* What remembers what is covered: two horizons; or they and the windows between them, for a surface with holes and for
- * several surfaces. */
-enum edges_cover { COVER_HORIZONS, COVER_WINDOWS };
+/* What remembers what is covered: two horizons; those of one strip of the abscissa; or horizons and the windows between
+ * them, for a surface with holes and for several surfaces. */
+enum edges_cover { COVER_HORIZONS, COVER_STRIP, COVER_WINDOWS };
 
 /* What clipping an edge does: take what is visible and cover; or only one of them. */
 enum edges_work { EDGES_CLIP, EDGES_LOOK, EDGES_COVER };
@@ -48,6 +49,7 @@ typedef struct edges {
     chart_t chart;
     horizons_t horizons;
     enum edges_cover cover;
+    strip_t strip; /* COVER_STRIP */
     windows_t windows;
     bool bare; /* the edge is near, and no facet in front of it ends there */
     enum edges_work work;
@@ -70,10 +72,8 @@ typedef struct edges {
     edges_taken_t taken[EDGES_TAKEN];
 } edges_t;
 
-/* Prepares the cover (seen: see chart_seen; turn: see sweep_init) in pool[0..count), after the chart. Returns 0 or
- * ERR_FULL. */
-int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_t seen, int turn, pencil_t *pool,
-               size_t count);
+/* Prepares the cover (seen: see chart_seen) in pool[0..count), after the chart and the strip. Returns 0 or ERR_FULL. */
+int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_t seen, pencil_t *pool, size_t count);
 
 /* COVER_WINDOWS: the facet at hand touches the point right below (below > 0) or above (below < 0) the eye: where only
  * one line of its outline is, it covers all from there down (up). Call it when its edges have been clipped. */

@@ -29,9 +29,9 @@ typedef struct hidden_job {
     const ink_sink_t *sink; /* takes the visible pieces; an error it returns ends the kernel */
     void (*tick)(void *ctx, int32_t done, int32_t of); /* once a row (profile), for progress; may be NULL */
     void *tick_ctx;
-    bool in_turn; /* perimeter: the upper horizon first, then the lower one in the same memory. The same ink in another
-                     order, but for lines on both horizons, which may be drawn for either; twice the time, and the
-                     horizons take half */
+    int32_t strips; /* perimeter: if more than 1, one surface without holes is hidden in so many strips one after the
+                       other (strip.h). The same ink in another order, ended where it passes from one into the next; as
+                       many times the time, and the horizons take a part */
     const hidden_pause_t *pause; /* perimeter, horizon; may be NULL */
 } hidden_job_t;
 
@@ -44,6 +44,7 @@ typedef struct hidden_stats {
     int64_t pieces;                 /* pieces given to the sink */
     int64_t evaluated;              /* points evaluated while drawing */
     int32_t peak_upper, peak_lower; /* most vertices each horizon had */
+    int32_t strips;                 /* one after the other, 1 if there were none */
     int32_t windows;                /* most windows between them (windows.h) */
     size_t bytes;                   /* lent memory that was used, at its peak */
 } hidden_stats_t;

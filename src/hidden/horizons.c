@@ -33,7 +33,7 @@ static int take_upper(void *ctx, envelope_part_t part) {
 /* What is first at its abscissae has been taken by the upper horizon already, if there is one. */
 static int take_lower(void *ctx, envelope_part_t part) {
     horizons_t *h = ctx;
-    return part.first && (h->has_upper || h->upper_apart) ? 0 : pass_on(h, part);
+    return part.first && h->has_upper ? 0 : pass_on(h, part);
 }
 
 /* A horizon's limits on both sides of a vertical line as one: the higher one for a line in the eye's own plane, which
@@ -60,7 +60,6 @@ static int clip_vertical(horizons_t *h, pencil_t l, pencil_t r) {
                                      : (envelope_part_t){.from_q30 = from, .to_q30 = ONE_Q30});
         if (err != 0 || from == 0) return err;
     }
-    if (h->upper_apart && bottom >= ENVELOPE_LIMIT) return 0; /* first here */
     if (lo < bottom - ENVELOPE_NOISE) {
         if (bottom < hi - ENVELOPE_NOISE) to = (int32_t)pencil_fraction((uint32_t)(bottom - lo), (uint32_t)height);
         return pass_on(h, falling ? (envelope_part_t){.from_q30 = ONE_Q30 - to, .to_q30 = ONE_Q30}

@@ -10,8 +10,7 @@
 typedef struct horizons {
     envelope_t upper, lower;
     bool has_upper, has_lower;
-    bool upper_apart; /* the upper one belongs to another sweep, which takes what is first at its abscissae */
-    bool in_plane;    /* the vertical line at hand is in the eye's own plane, not only nearly */
+    bool in_plane; /* the vertical line at hand is in the eye's own plane, not only nearly */
     envelope_count_t count;
     envelope_take_t take; /* gets visible parts as fractions from p0 to p1, in no particular order */
     void *ctx;

@@ -19,7 +19,12 @@ static int corner_facet(sweep_t *s, int32_t i, int far, bool rightward) {
     const int32_t out = rightward ? i + 1 : i;
     const corner_t q = corner_of_facet(l, i, far, rightward);
     e->horizons.skip_upper = e->horizons.skip_lower = false;
-    s->last = corner_is_straight(&e->chart, &q) ? corner_judge(s, &q) : FACET_CUT;
+    if (e->cover == COVER_STRIP && strip_lacks(&e->strip, q.l.a, q.r.a) && corner_is_straight(&e->chart, &q)) {
+        e->clipped += 2;
+        return 0;
+    }
+    const bool whole = e->cover != COVER_STRIP || strip_has(&e->strip, q.l.a, q.r.a);
+    s->last = whole && corner_is_straight(&e->chart, &q) ? corner_judge(s, &q) : FACET_CUT;
     if (s->last == FACET_HIDDEN) {
         e->clipped += 2;
         return 0;
@@ -99,18 +104,20 @@ static int draw(grid_t *const grid[], int32_t n, const camera_t *cam, const hidd
     sweep_t s = {0};
     int64_t evaluated = 0;
     const bool several = n > 1 && CONFIG_PLOT_ITEMS > 1; /* else it need not be there */
-    const enum edges_cover cover = n > 1 || grid[0]->holes > 0 ? COVER_WINDOWS : COVER_HORIZONS;
+    const bool windows = n > 1 || grid[0]->holes > 0;
+    const int32_t strips = windows || job->strips < 2 ? 1 : job->strips;
+    const enum edges_cover cover = windows ? COVER_WINDOWS : strips > 1 ? COVER_STRIP : COVER_HORIZONS;
     *stats = (hidden_stats_t){0};
     if (n > 1 && !several) return ERR_UNSUPPORTED;
     for (int32_t k = 0; k < n; k++) {
         if (k > 0 && !same_points(grid[0], grid[k])) return ERR_UNSUPPORTED;
         evaluated -= grid[k]->evaluated;
     }
-    const sweep_row_t row = several ? cells_row : cover == COVER_WINDOWS ? holes_row : facets_row;
-    int err = 0, turn = job->in_turn ? 1 : 0;
-    do {
-        s = (sweep_t){0};
-        err = sweep_init(&s, grid, n, cam, job, cover, turn);
+    const sweep_row_t row = several ? cells_row : windows ? holes_row : facets_row;
+    int err = 0;
+    for (int32_t k = 0; k < strips && err == 0; k++) {
+        s = (sweep_t){.number = k, .strips = strips};
+        err = sweep_init(&s, grid, n, cam, job, cover);
 #if CONFIG_AREA
         s.shaded = shaded;
 #else
@@ -118,8 +125,7 @@ static int draw(grid_t *const grid[], int32_t n, const camera_t *cam, const hidd
 #endif
         if (err == 0) err = sweep_all(&s, job, row);
         if (s.layer != NULL) sweep_account(&s, stats);
-        turn = -s.turn;
-    } while (err == 0 && turn < 0);
+    }
     for (int32_t k = 0; k < n; k++) evaluated += grid[k]->evaluated;
     stats->evaluated = evaluated;
     return err;

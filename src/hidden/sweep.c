@@ -54,9 +54,25 @@ static void lay_out(layer_t *l, lender_t *from, size_t nx, bool around, bool win
     }
 }
 
+/* The abscissae of a grid seen from outside of it end at its corners. */
+static void set_strip(sweep_t *s) {
+    const chart_t *c = &s->edges.chart;
+    layer_t *l = &s->layer[0];
+    int32_t lo = -(2 << CHART_SECTOR_BITS), hi = 2 << CHART_SECTOR_BITS;
+    if (c->kind != CHART_AROUND) {
+        lo = INT32_MAX, hi = INT32_MIN;
+        for (int k = 0; k < 4; k++) {
+            if (k % 2 == 0) chart_row(c, l->grid, k ? l->grid->ny - 1 : 0, &l->line[0]);
+            const int32_t a = l->line[0].at[k % 2 ? l->grid->nx - 1 : 0].a;
+            lo = pencil_min(lo, a), hi = pencil_max(hi, a);
+        }
+    }
+    strip_init(&s->edges.strip, lo, hi, s->number, s->strips);
+}
+
 int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
-               enum edges_cover cover, int turn) {
-    const bool windows = cover != COVER_HORIZONS;
+               enum edges_cover cover) {
+    const bool windows = cover == COVER_WINDOWS;
     const size_t nx = (size_t)grid[0]->nx;
     lender_t from = {job->mem, job->bytes};
     edges_t *e = &s->edges;
@@ -86,8 +102,8 @@ int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam,
     if (from.mem == NULL) return ERR_FULL;
     s->fixed = job->bytes - from.left;
     e->several = n > 1;
-    s->turn = windows || s->layer[0].seen ? 0 : turn;
-    return edges_init(e, job->sink, cover, s->layer[0].seen, s->turn, (pencil_t *)(void *)from.mem,
+    if (cover == COVER_STRIP) set_strip(s);
+    return edges_init(e, job->sink, cover, s->layer[0].seen, (pencil_t *)(void *)from.mem,
                       from.left / sizeof(pencil_t));
 }
 
@@ -100,7 +116,7 @@ static void load_lines(sweep_t *s, int k, int32_t j) {
     for (int32_t m = 0; m < s->layers; m++) {
         layer_t *l = &s->layer[m];
         chart_row(&s->edges.chart, l->grid, j, &l->line[k]);
-        if (s->edges.cover != COVER_HORIZONS) fill(l->row_done[k], NULL, l->grid->nx);
+        if (s->edges.cover == COVER_WINDOWS) fill(l->row_done[k], NULL, l->grid->nx);
     }
 }
 
@@ -120,7 +136,7 @@ static void step(sweep_t *s, int far, int32_t j) {
 
 /* The eye's lower line is needed once more, on the way down: what of it is done must be known then. */
 static void keep_done(sweep_t *s, bool restore) {
-    for (int32_t m = 0; m < s->layers && s->edges.cover != COVER_HORIZONS; m++) {
+    for (int32_t m = 0; m < s->layers && s->edges.cover == COVER_WINDOWS; m++) {
         layer_t *l = &s->layer[m];
         fill(restore ? l->row_done[0] : l->kept_done, restore ? l->kept_done : l->row_done[0], l->grid->nx);
     }
@@ -152,8 +168,8 @@ static int flush_columns(sweep_t *s) {
 
 int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row) {
     const chart_t *c = &s->edges.chart;
-    const int32_t rows = c->grid->ny - 1, of = s->turn ? 2 * rows : rows;
-    int32_t done = s->turn < 0 ? rows : 0;
+    const int32_t rows = c->grid->ny - 1, of = s->strips * rows;
+    int32_t done = s->number * rows;
     int err = 0;
     for (int up = 1; up >= (c->j0 > 0 ? 0 : 1) && err == 0; up--) {
         load_lines(s, 0, c->j0);
@@ -180,14 +196,13 @@ void sweep_account(const sweep_t *s, hidden_stats_t *stats) {
         bytes += windows_bytes(&s->edges.windows);
         stats->windows = s->edges.windows.used;
     }
-    if (s->turn >= 0) { /* a second sweep meets the same facets */
-        stats->facets = s->facets;
-        stats->edges = s->edges.clipped;
-    }
+    stats->facets = s->facets;
+    if (s->number == 0) stats->edges = s->edges.clipped; /* the next strip meets the same ones */
+    stats->strips = s->strips;
     stats->tests += h->count.tests;
     stats->crossings += h->count.crossings;
     stats->pieces += s->edges.runs.pieces;
-    stats->peak_upper += upper;
-    stats->peak_lower += lower;
+    stats->peak_upper = pencil_max(stats->peak_upper, upper);
+    stats->peak_lower = pencil_max(stats->peak_lower, lower);
     if (stats->bytes < bytes) stats->bytes = bytes;
 }

@@ -42,9 +42,9 @@ typedef struct sweep {
     edges_t edges;
     layer_t *layer;
     int32_t layers;
-    enum facet_kind last; /* of the corner facet before */
-    shade_t *shade;       /* what other surfaces hide of a vertical edge: two for each */
-    int turn;
+    enum facet_kind last;   /* of the corner facet before */
+    shade_t *shade;         /* what other surfaces hide of a vertical edge: two for each */
+    int32_t number, strips; /* the strip at hand, and of how many */
 #if CONFIG_AREA
     struct shaded *shaded; /* hatches visible facets, or NULL (shaded.h) */
 #endif
@@ -61,10 +61,9 @@ typedef int (*sweep_row_t)(sweep_t *s, int far, bool fresh);
 size_t sweep_bytes(int32_t nx, int32_t layers, bool windows);
 
 /* Prepares a sweep over n surfaces on the same points (x, y) in job's memory.
- * turn: 0 both horizons in one sweep; 1 the upper one now, -1 the lower one now, having had the upper one. A surface of
- * which only one side is seen has but one horizon: s->turn is 0 then. Returns 0 or ERR_FULL. */
+ * s->number and s->strips tell which strip it is for, if there are several: COVER_STRIP. Returns 0 or ERR_FULL. */
 int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
-               enum edges_cover cover, int turn);
+               enum edges_cover cover);
 
 /* The whole sweep. Returns 0 or the first error of row or the sink. */
 int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row);

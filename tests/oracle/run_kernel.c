@@ -81,7 +81,7 @@ int run_several(const surface_ref_t *sheet, int n, run_drawing_t *d, hidden_stat
     return err;
 }
 
-bool run_in_turn;
+int32_t run_strips;
 
 int run_perimeter_in(const scene_t *s, run_drawing_t *d, size_t bytes, hidden_stats_t *stats) {
     surface_ref_t ref = s->ref;
@@ -92,7 +92,7 @@ int run_perimeter_in(const scene_t *s, run_drawing_t *d, size_t bytes, hidden_st
     *stats = (hidden_stats_t){0};
     int err = grid_measure(&g, &surface, NULL, NULL, NULL, NULL, NULL);
     if (err) return err;
-    hidden_job_t job = {.mem = malloc(bytes ? bytes : 1), .bytes = bytes, .sink = &sink, .in_turn = run_in_turn};
+    hidden_job_t job = {.mem = malloc(bytes ? bytes : 1), .bytes = bytes, .sink = &sink, .strips = run_strips};
     if (!job.mem) abort();
     err = perimeter_draw(&g, &cam, &job, stats);
     free(job.mem);

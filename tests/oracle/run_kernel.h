@@ -22,9 +22,9 @@ ink_sink_t run_sink(run_drawing_t *d);
 /* Draws s by the perimeter kernel, with plenty of memory. Returns its result. */
 int run_perimeter(const scene_t *s, run_drawing_t *d, hidden_stats_t *stats);
 
+/* In how many strips run_perimeter hides (hidden_job_t). */
+extern int32_t run_strips;
 /* The same in so many bytes of memory, lent from the heap so that a sanitizer sees its ends. */
-/* Has run_perimeter sweep once for each horizon (hidden_job_t). */
-extern bool run_in_turn;
 int run_perimeter_in(const scene_t *s, run_drawing_t *d, size_t bytes, hidden_stats_t *stats);
 
 /* Draws n surfaces over the same grid together, sheet[k] by its own arrays and all with the eye of the first; d[k] gets
