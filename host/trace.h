@@ -90,14 +90,17 @@ typedef struct trace_difference {
     size_t compared;        /* pin changes found equal in sequence */
     double max_us, mean_us; /* time differences over them */
     size_t worst;           /* the change with the largest difference */
+    size_t rests;           /* of another length in b than in a, if that is allowed */
+    double rest_us;         /* by so much in all */
     /* The first change that differs, or else the worst: its number in both, and where in the events to look. */
     size_t at, event_a, event_b;
 } trace_difference_t;
 
 /* Compares the sequences of pin changes and their times (each trace's from its own first change). Changes that one
  * trace has in another order than the other are the same as long as they lie within tolerance_us of each other; those
- * of one pin never change their order. Returns 0, ERR_FULL (no memory). */
-int trace_compare(const trace_t *a, const trace_t *b, double tolerance_us, trace_difference_t *out);
+ * of one pin never change their order. rests: when the pen has been lifted b may stand longer or shorter than a, where
+ * one of them had still to compute; times count from there. Returns 0, ERR_FULL (no memory). */
+int trace_compare(const trace_t *a, const trace_t *b, double tolerance_us, bool rests, trace_difference_t *out);
 void trace_print_difference(const trace_t *a, const trace_t *b, const trace_difference_t *d, FILE *out);
 
 /* The ink of a trace, as strokes in page coordinates: every point lies within TRACE_INK_STEPS steps of where the

@@ -54,7 +54,12 @@ static bool bring(edges_t *in, size_t i, const edge_t *want, double tolerance_us
     return false;
 }
 
-int trace_compare(const trace_t *a, const trace_t *b, double tolerance_us, trace_difference_t *out) {
+/* Has the pen just been lifted? Then nothing moves, and whoever has still to compute may take as long as it likes. */
+static bool at_rest(const edges_t *in, size_t i) {
+    return i > 0 && in->edge[i - 1].pin == HAL_PEN && !in->edge[i - 1].high;
+}
+
+int trace_compare(const trace_t *a, const trace_t *b, double tolerance_us, bool rests, trace_difference_t *out) {
     *out = (trace_difference_t){0};
     edges_t ea = {0}, eb = {0};
     if (!split(a, &ea) || !split(b, &eb)) {
@@ -65,7 +70,12 @@ int trace_compare(const trace_t *a, const trace_t *b, double tolerance_us, trace
     size_t n = ea.count < eb.count ? ea.count : eb.count, i;
     double sum = 0;
     for (i = 0; i < n && bring(&eb, i, &ea.edge[i], tolerance_us); i++) {
-        double difference = fabs(us_between(&eb.edge[i], &ea.edge[i]));
+        double difference = fabs(us_between(&eb.edge[i], &ea.edge[i]) - out->rest_us);
+        if (rests && difference > tolerance_us && at_rest(&ea, i)) {
+            out->rest_us = us_between(&eb.edge[i], &ea.edge[i]);
+            out->rests++;
+            difference = 0;
+        }
         sum += difference;
         if (difference > out->max_us) {
             out->max_us = difference;
@@ -102,6 +112,7 @@ static void print_around(const trace_t *t, size_t at, const char *name, FILE *ou
 void trace_print_difference(const trace_t *a, const trace_t *b, const trace_difference_t *d, FILE *out) {
     fprintf(out, "%s: %zu pin changes compared, time difference %.4f us at most, %.4f us on average\n",
             d->same_sequence ? "same sequence" : "DIFFERENT SEQUENCE", d->compared, d->max_us, d->mean_us);
+    if (d->rests) fprintf(out, "%zu rests with the pen up differ, %.6f s in all\n", d->rests, d->rest_us * 1e-6);
     if (a->initial != b->initial)
         fprintf(out, "the pins begin at %02x in one and %02x in the other\n", a->initial, b->initial);
     if (d->same_sequence && d->max_us == 0) return;

@@ -15,6 +15,7 @@ static const char USAGE[] =
     "       ridgeline trace A.vcd B.vcd [options]    compare two; exit 0 equal, 1 different, 2 bad input\n"
     "  -o FILE              draw the ink of A (" WRITER_SUFFIXES ")\n"
     "  --tolerance US       times this close are equal (0.1)\n"
+    "  --rests              B may stand longer where the pen was lifted: one of them had to compute\n"
     "The machine is the one named in the file, or the default one, changed by:\n"
     "  --steps N[,M]        steps per mm of the motors      --corexy --swap --invert-x --invert-y\n"
     "  --speed MM/S         pen down                        --travel MM/S    pen up\n"
@@ -27,6 +28,7 @@ typedef struct options {
     int files;
     const char *ink;
     double tolerance_us;
+    bool rests;
     const char *machine[32]; /* options that change the machine, and their values */
     const char *value[32];
     int changes;
@@ -112,6 +114,8 @@ static bool parse(int argc, char **argv, options_t *o) {
         } else if (strcmp(a, "--tolerance") == 0 && next) {
             const char *text = argv[++i];
             ok = parse_number(&text, &o->tolerance_us) && !*text;
+        } else if (strcmp(a, "--rests") == 0) {
+            o->rests = true;
         } else if (a[0] == '-' && a[1]) {
             bool valued = takes_value(a);
             ok = o->changes < 32 && change(&scratch, a, valued ? next : NULL);
@@ -162,7 +166,7 @@ static int judge(const trace_t *t, const options_t *o, const machine_t *m) {
 
 static int compare(const trace_t *a, const trace_t *b, const options_t *o) {
     trace_difference_t d;
-    if (trace_compare(a, b, o->tolerance_us, &d)) {
+    if (trace_compare(a, b, o->tolerance_us, o->rests, &d)) {
         fprintf(stderr, "ridgeline trace: out of memory\n");
         return 2;
     }

@@ -60,6 +60,7 @@ static int find_share(console_t *c, const plot_t *plot, void *memory, picture_ho
         hooks->share = (enum picture_share)share;
         int err = picture_try(&c->picture, plot, memory, c->picture_bytes, hooks);
         if (c->realtime.cancelled) return ERR_STOPPED;
+        hooks->measured = true;
         if (share > PICTURE_SHARE_HIDING && c->picture.stats.hidden.strips < 2) break; /* it has none */
         if (!err && c->picture.pieces_most > hooks->waiting)
             hooks->waiting = c->picture.pieces_most; /* once more, to see whether they have room */

@@ -237,14 +237,26 @@ static int run_pens(picture_t *p, const pen_sink_t *pen) {
 }
 #endif
 
+/* Leaves what is known of the first surface. */
+static void start(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const picture_hooks_t *hooks) {
+    const bool measured = hooks && hooks->measured && is_grid(plot);
+    const size_t from = offsetof(picture_t, grid), to = from + (measured ? sizeof p->grid[0] : 0);
+    memset(p, 0, from);
+    memset((char *)p + to, 0, sizeof *p - to);
+    p->plot = plot;
+    p->hooks = hooks;
+    p->arena = (arena_t){mem, bytes, 0};
+}
+
 int picture_draw(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const pen_sink_t *pen,
                  const picture_hooks_t *hooks) {
-    *p = (picture_t){.plot = plot, .hooks = hooks, .arena = {mem, bytes, 0}};
+    start(p, plot, mem, bytes, hooks);
     return run_pens(p, pen);
 }
 
 int picture_try(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const picture_hooks_t *hooks) {
-    *p = (picture_t){.plot = plot, .hooks = hooks, .trial = true, .arena = {mem, bytes, 0}};
+    start(p, plot, mem, bytes, hooks);
+    p->trial = true;
     return run(p, NULL);
 }
 
@@ -262,8 +274,10 @@ size_t picture_bytes_least(const plot_t *plot) {
     const enum hidden_mode hidden = plot->settings->hidden;
     const bool boxes = CONFIG_SOLIDS && plot->kind == PLOT_SOLIDS && hidden != HIDDEN_HORIZON && hidden != HIDDEN_AREA;
     if (boxes) return picture_boxes_bytes(plot) + 2 * PATH_BYTES_MIN;
-    bool strips = plot->kind == PLOT_SURFACES && plot->n == 1; /* a part of the horizons at a time */
-    return hiding_bytes(plot, strips ? 1 : EACH_ROUGH, false) + 2 * PATH_BYTES_MIN + WAITING_BYTES(CONFIG_WAITING) + 16;
+    const size_t rest = 2 * PATH_BYTES_MIN + WAITING_BYTES(CONFIG_WAITING) + 16;
+    if (!is_grid(plot) || plot->n > 1) return hiding_bytes(plot, EACH_ROUGH, false) + rest;
+    const surface_t *f = &plot->item[0].surface; /* in as many strips as there are */
+    return perimeter_bytes_least(f->nx, (f->nx + f->ny) * EACH_ROUGH >> PICTURE_STRIPS_BITS) + rest;
 }
 
 picture_progress_t picture_progress(const picture_t *p) {

@@ -32,6 +32,8 @@
 #define PICTURE_GRIDS_MAX (2 * CONFIG_PLOT_ITEMS) /* rows and columns of each item */
 #define PICTURE_LINES_MAX (PICTURE_GRIDS_MAX + 1) /* or a frame */
 
+#define PICTURE_STRIPS_BITS 4
+
 enum picture_stage {
     PICTURE_MEASURE, /* evaluating all points for their range */
     PICTURE_HIDE,    /* evaluating again if need be, hiding, joining */
@@ -46,7 +48,7 @@ enum picture_share {
     PICTURE_SHARE_SMOOTH, /* hiding gets as much as most smooth surfaces need, if that is more */
     PICTURE_SHARE_HIDING, /* ordering gets the least */
     PICTURE_SHARE_STRIPS, /* and a surface is hidden in two strips one after the other (hidden_job_t) */
-    PICTURE_SHARES = PICTURE_SHARE_STRIPS + 4 /* ... or in 4, 8, 16 */
+    PICTURE_SHARES = PICTURE_SHARE_HIDING + 1 + PICTURE_STRIPS_BITS /* ... or in 4, 8, 16 */
 };
 
 typedef struct picture_hooks {
@@ -59,6 +61,8 @@ typedef struct picture_hooks {
     int (*pen)(void *ctx, int number);
     /* Called when the view is known, before the first stroke; may be NULL. */
     void (*begin)(void *ctx, const camera_t *cam);
+    bool
+        measured; /* p is as picture_try left it with this plot: one surface that is not cached is not measured again */
     int32_t waiting; /* pieces of ink that may wait for a kernel's pause (path/waiting.h); 0: it need not pause */
     const path_feed_t *feed; /* draw while the picture is still being computed; or NULL */
 } picture_hooks_t;

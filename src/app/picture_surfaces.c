@@ -49,7 +49,9 @@ static int add_surface(picture_t *p, const surface_t *s) {
     int32_t *cache = size <= arena_left(&p->arena) / 2 ? arena_take(&p->arena, size) : NULL;
     if (cache) p->stats.cache_bytes += size;
     lend(p, s);
-    int err = grid_measure(g, s, z->auto_lo ? NULL : &z->lo, z->auto_hi ? NULL : &z->hi, cache, measure_tick, p);
+    const bool known = p->hooks && p->hooks->measured && p->spaces == 0 && g->src == s && !g->cache && !cache;
+    int err =
+        known ? 0 : grid_measure(g, s, z->auto_lo ? NULL : &z->lo, z->auto_hi ? NULL : &z->hi, cache, measure_tick, p);
     if (err) return err;
     g->to_limits = p->plot->settings->hidden == HIDDEN_NONE;
     p->spaces++;

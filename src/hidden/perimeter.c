@@ -87,6 +87,10 @@ size_t perimeter_bytes(int32_t nx, int32_t vertices) {
     return sweep_bytes(nx, 1, true) + (size_t)vertices * sizeof(pencil_t);
 }
 
+size_t perimeter_bytes_least(int32_t nx, int32_t vertices) {
+    return sweep_bytes(nx, 1, false) + (size_t)vertices * sizeof(pencil_t);
+}
+
 static bool same_points(const grid_t *a, const grid_t *b) {
     if (a->nx != b->nx || a->ny != b->ny) return false;
     const surface_t *s = a->src, *t = b->src;

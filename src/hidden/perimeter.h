@@ -37,5 +37,7 @@ int perimeter_draw_shaded(grid_t *const grid[], int32_t n, const camera_t *cam, 
 /* Memory for nx columns and `vertices` horizon vertices (both horizons together). 4 (nx + ny) vertices are enough
  * for smooth surfaces, 10 (nx + ny) for random ones as large as 200 x 200. */
 size_t perimeter_bytes(int32_t nx, int32_t vertices);
+/* The same for a surface without holes. */
+size_t perimeter_bytes_least(int32_t nx, int32_t vertices);
 
 #endif

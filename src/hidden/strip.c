@@ -4,12 +4,10 @@
 #define ONE_Q30 (INT32_C(1) << 30)
 
 void strip_init(strip_t *s, int32_t lo, int32_t hi, int k, int n) {
-    const int64_t width = (int64_t)hi - lo;
-    *s = (strip_t){.from = k == 0 ? -ENVELOPE_LIMIT : (int32_t)(lo + width * k / n),
-                   .to = k == n - 1 ? ENVELOPE_LIMIT : (int32_t)(lo + width * (k + 1) / n),
-                   .first = k == 0,
-                   .cut_q30 = {0, ONE_Q30},
-                   .keep_q30 = {0, ONE_Q30}};
+    const int32_t width = (int32_t)(((uint32_t)hi - (uint32_t)lo) / (uint32_t)n);
+    s->from = k == 0 ? -ENVELOPE_LIMIT : lo + width * k;
+    s->to = k == n - 1 ? ENVELOPE_LIMIT : lo + width * (k + 1);
+    s->first = k == 0;
 }
 
 static int32_t fraction_at(pencil_t p, pencil_t q, int32_t a) {

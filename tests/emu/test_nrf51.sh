@@ -4,7 +4,7 @@
 board=nrf51
 . tests/emu/lib.sh
 for s in small smooth perspective corexy horizon rand sinc status data cubes halo; do scene $s 2; done
-scene smooth60 any
+for s in smooth60 rand60; do scene $s '2 rests'; done
 scene holes 2
 scene halo_ends 2
 scene cubes_many 2

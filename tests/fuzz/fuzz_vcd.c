@@ -13,7 +13,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     trace_error_t error;
     if (trace_read_text((const char *)data, size, &t, &error)) return 0;
     trace_difference_t d;
-    trace_compare(&t, &t, 1, &d);
+    trace_compare(&t, &t, 1, true, &d);
     if (!d.same_sequence || d.max_us != 0) abort();
     trace_judgement_t j;
     trace_judge(&t, &t.machine, &j);

@@ -279,7 +279,7 @@ static void test_late_interrupts(void **state) {
     trace_free(&r.trace);
     r = rig_run(&d, &m, MOTION_BYTES_HOST, wrapping);
     trace_difference_t difference;
-    assert_int_equal(trace_compare(&r.trace, &on_time.trace, 0, &difference), 0);
+    assert_int_equal(trace_compare(&r.trace, &on_time.trace, 0, false, &difference), 0);
     assert_true(difference.same_sequence && difference.max_us == 0);
     trace_free(&r.trace);
     trace_free(&on_time.trace);

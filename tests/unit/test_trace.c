@@ -154,16 +154,20 @@ static void test_speed_and_acceleration(void **state) {
     free(text);
 }
 
-static trace_difference_t compared(const char *a, const char *b, double tolerance_us) {
+static trace_difference_t compared_at(const char *a, const char *b, double tolerance_us, bool rests) {
     trace_t ta = read_text(a), tb = read_text(b);
     trace_difference_t d;
-    assert_int_equal(trace_compare(&ta, &tb, tolerance_us, &d), 0);
+    assert_int_equal(trace_compare(&ta, &tb, tolerance_us, rests, &d), 0);
     FILE *null = fopen("/dev/null", "w");
     trace_print_difference(&ta, &tb, &d, null);
     fclose(null);
     trace_free(&ta);
     trace_free(&tb);
     return d;
+}
+
+static trace_difference_t compared(const char *a, const char *b, double tolerance_us) {
+    return compared_at(a, b, tolerance_us, false);
 }
 
 static void test_compare(void **state) {
@@ -187,6 +191,18 @@ static void test_compare(void **state) {
     assert_true(d.same_sequence && d.compared == 0);
     d = compared(HEAD, HEAD "#5 1a", 0);
     assert_true(!d.same_sequence);
+}
+
+/* Longer with the pen up, but not where it was not lifted just before. */
+static void test_compare_rests(void **state) {
+    (void)state;
+    const char *a = HEAD "#10 1e #20 0e #30 1a #32 0a #40 1a #42 0a";
+    trace_difference_t d = compared_at(a, HEAD "#10 1e #20 0e #530 1a #532 0a #540 1a #542 0a", 1, true);
+    assert_true(d.same_sequence && d.max_us == 0 && d.rests == 1 && fabs(d.rest_us - 500) < 1e-9);
+    d = compared(a, HEAD "#10 1e #20 0e #530 1a #532 0a #540 1a #542 0a", 1);
+    assert_true(d.same_sequence && fabs(d.max_us - 500) < 1e-9 && d.rests == 0);
+    d = compared_at(a, HEAD "#10 1e #20 0e #30 1a #32 0a #540 1a #542 0a", 1, true);
+    assert_true(d.same_sequence && fabs(d.max_us - 500) < 1e-9 && d.rests == 0);
 }
 
 typedef struct ink {
@@ -297,6 +313,7 @@ int main(void) {
         cmocka_unit_test(test_pen_changes_that_are_missing),
         cmocka_unit_test(test_speed_and_acceleration),
         cmocka_unit_test(test_compare),
+        cmocka_unit_test(test_compare_rests),
         cmocka_unit_test(test_ink),
         cmocka_unit_test(test_command),
     };
