@@ -166,6 +166,9 @@ _Static_assert(CONFIG_PARTS >= 64 && CONFIG_PARTS <= 4096, "lang/parts.h, lang/h
 #ifndef CONFIG_OUTBOX
 #define CONFIG_OUTBOX 0
 #endif
+#ifndef CONFIG_FED
+#define CONFIG_FED 1 /* 0 leaves it out: 1 KB of flash and what it takes of the stack */
+#endif
 #ifndef CONFIG_FACET_US
 #define CONFIG_FACET_US 100
 #endif

@@ -9,7 +9,9 @@ for board in "$@"; do
     set -- $("${CROSS}size" "$elf" | tail -1)
     room=$("${CROSS}nm" "$elf" | awk '$3 == "_stack_top" { t = $1 } $3 == "_stack_bottom" { b = $1 } END { print t, b }')
     room=$((0x${room% *} - 0x${room#* }))
-    worst=$({ cat firmware/tools/pointers.txt; "${CROSS}objdump" -s -j .text -j .data "$elf"; "${CROSS}objdump" -d --no-show-raw-insn "$elf"; } |
+    own=firmware/tools/pointers_$board.txt
+    [ -e "$own" ] || own=
+    worst=$({ cat $own firmware/tools/pointers.txt; "${CROSS}objdump" -s -j .text -j .data "$elf"; "${CROSS}objdump" -d --no-show-raw-insn "$elf"; } |
         awk -f firmware/tools/stack.awk)
     printf '%-10s %10d %10d %12d %12s\n' "$board" $(($1 + $2)) $(($2 + $3)) "$room" "${worst%% *}"
     [ -n "$PATHS" ] && printf '    %s\n' "${worst#* }"

@@ -95,7 +95,7 @@ static int draw(picture_t *p, const pen_sink_t *pen) {
     err = picture_open(p, pen, p->profiles.count, points);
     if (err) return err;
 
-    const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p, false, pause};
+    const hidden_job_t job = {kernel, kernel_bytes, &p->sink, hide_tick, p, 0, pause};
     err = horizon_draw(&p->profiles, &p->camera, plot->settings->horizon_infinite, &job, &p->stats.hidden);
     p->stats.facets = p->stats.hidden.facets;
     p->stats.kernel_bytes = p->stats.hidden.bytes;

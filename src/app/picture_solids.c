@@ -302,7 +302,7 @@ int picture_solids(picture_t *p, const pen_sink_t *pen) {
     seen = line_class_sink(&sorter[0]);
     hidden = line_class_sink(&sorter[1]);
 #endif
-    const hidden_job_t job = {mem, bytes, &seen, hide_tick, p, false, NULL};
+    const hidden_job_t job = {mem, bytes, &seen, hide_tick, p, 0, NULL};
     err = hide(p, &hidden, &job);
     if (!err) err = once_finish(&once);
     p->stats.facets = p->solid.nf;

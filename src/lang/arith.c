@@ -70,8 +70,6 @@ static const char *integer_binary(uint8_t op, value_t *a, int64_t b) {
         if (b == 0 || (b == -1 && x == INT64_MIN)) return ARITH_UNDEFINED;
         r = op == OP_DIV ? x / b : x % b;
         break;
-    case OP_POW:
-        return integer_power(a, b);
     case OP_SHL:
         r = (int64_t)((uint64_t)x << shift);
         break;
@@ -144,7 +142,8 @@ static const char *real_power(value_t *a, value_t b) {
 }
 
 const char *arith_binary(uint8_t op, value_t *a, value_t b) {
-    if (a->kind == VALUE_INT && b.kind == VALUE_INT) return integer_binary(op, a, b.m);
+    if (a->kind == VALUE_INT && b.kind == VALUE_INT)
+        return op == OP_POW ? integer_power(a, b.m) : integer_binary(op, a, b.m);
     switch (op) {
     case OP_MOD:
         return "non-integer operand for %";

@@ -14,18 +14,24 @@ static int64_t inner_argument(num_t x) {
     return num_to_fixed(num_mul(x, x), 57, NULL) - ((int64_t)1 << 62);
 }
 
-/* Hankel's P and x Q belong to s + c and s - c because chi is a multiple of pi/4 off the argument. */
-typedef struct outer {
-    num_t plus, minus; /* sin x + cos x, sin x - cos x */
-    num_t scale;       /* 1 / sqrt(pi x) */
-    int64_t t;         /* 2 (8/x)^2 - 1 in Q62 */
-} outer_t;
+/* Hankel's P and x Q belong to s + c and s - c because chi is a multiple of pi/4 off the argument; these are turned
+ * round for J1. Apart from outer(), so that its frame is not on the stack while sines are computed. */
+static num_t outer_sum(num_t x, const num_t *sine, const num_t *cosine, bool one) {
+    num_t part = num_div(num_from_i64(8), x);
+    const int64_t t = num_to_fixed(num_mul(part, part), 63, NULL) - ((int64_t)1 << 62);
+    const num_t plus = num_add(*sine, *cosine), minus = num_sub(*sine, *cosine);
+    num_t q = num_div(one ? FUNC_CHEBYSHEV(func_tables_q1, t) : FUNC_CHEBYSHEV(func_tables_q0, t), x);
+    q = num_mul(q, one ? plus : num_neg(minus));
+    part = num_mul(one ? FUNC_CHEBYSHEV(func_tables_p1, t) : FUNC_CHEBYSHEV(func_tables_p0, t), one ? minus : plus);
+    part = num_add(part, q);
+    q = num_div(num_from_i64(1), num_sqrt(num_mul(func_pi(), x)));
+    return num_mul(q, part);
+}
 
-static outer_t outer_argument(num_t x) {
-    num_t s, c, w = num_div(num_from_i64(8), x);
+static num_t outer(num_t x, bool one) {
+    num_t s, c;
     func_sincos(x, &s, &c);
-    return (outer_t){num_add(s, c), num_sub(s, c), num_div(num_from_i64(1), num_sqrt(num_mul(func_pi(), x))),
-                     num_to_fixed(num_mul(w, w), 63, NULL) - ((int64_t)1 << 62)};
+    return outer_sum(x, &s, &c, one);
 }
 
 static bool is_inner(num_t x) {
@@ -34,19 +40,14 @@ static bool is_inner(num_t x) {
 
 num_t func_besj0(num_t a) {
     if (a.m == 0) return a.undef ? a : num_from_i64(1);
-    num_t x = num_abs(a);
-    if (is_inner(x)) return FUNC_CHEBYSHEV(func_tables_j0, inner_argument(x));
-    outer_t o = outer_argument(x);
-    num_t q = num_div(FUNC_CHEBYSHEV(func_tables_q0, o.t), x);
-    return num_mul(o.scale, num_sub(num_mul(FUNC_CHEBYSHEV(func_tables_p0, o.t), o.plus), num_mul(q, o.minus)));
+    const num_t x = num_abs(a);
+    return is_inner(x) ? FUNC_CHEBYSHEV(func_tables_j0, inner_argument(x)) : outer(x, false);
 }
 
 num_t func_besj1(num_t a) {
     if (a.m == 0) return a;
-    num_t x = num_abs(a);
+    const num_t x = num_abs(a);
     if (is_inner(x)) return num_mul(a, FUNC_CHEBYSHEV(func_tables_j1, inner_argument(x)));
-    outer_t o = outer_argument(x);
-    num_t q = num_div(FUNC_CHEBYSHEV(func_tables_q1, o.t), x);
-    num_t r = num_mul(o.scale, num_add(num_mul(FUNC_CHEBYSHEV(func_tables_p1, o.t), o.minus), num_mul(q, o.plus)));
+    const num_t r = outer(x, true);
     return a.m < 0 ? num_neg(r) : r;
 }

@@ -8,6 +8,7 @@
  *
  * Both are sequences of one primitive, the 2-opt exchange of two links, which is a reversal of the shorter side of the
  * circle. A journal of reversals makes a failed attempt undoable. */
+#include "config.h"
 #include "path/dist.h"
 #include "path/tour.h"
 #include <stddef.h>
@@ -211,7 +212,7 @@ static int32_t settle(search_t *s, int32_t k) {
     int32_t sum = 0;
     for (int side = 0; side < 2 && s->t->budget > 0; side++) {
         if (s->local && s->journals > JOURNAL_MAX - 3) break;
-        if (s->t->tick) s->t->tick(s->t->tick_ctx);
+        if (CONFIG_FED && s->t->tick) s->t->tick(s->t->tick_ctx);
         change_t m = find(s, 2 * k + side);
         if (m.gain <= 0) continue;
         apply(s, &m);

@@ -55,7 +55,7 @@ static bool extend(const join_t *j, join_run_t *r, const ink_piece_t *p) {
     return true;
 }
 
-static int finish(join_t *j, join_run_t *r) {
+static int close_run(join_t *j, join_run_t *r) {
     ink_piece_t p = {r->family, r->surface, r->line, r->from, r->to};
     if (is_empty(r)) return 0;
     make_empty(r);
@@ -74,7 +74,7 @@ int join_piece(join_t *j, const ink_piece_t *p) {
         return 0;
     }
     join_run_t *old = r[0].recent ? &r[1] : &r[0];
-    int err = finish(j, old);
+    int err = close_run(j, old);
     r[0].recent = r[1].recent = false;
     *old = (join_run_t){p->from, p->to, p->line, p->family, p->surface, true};
     return err;
@@ -82,7 +82,7 @@ int join_piece(join_t *j, const ink_piece_t *p) {
 
 int join_finish(join_t *j) {
     for (uint32_t i = 0; i < 2 * (JOIN_ROW_PAIRS + j->pairs); i++) {
-        int err = finish(j, &j->run[i]);
+        int err = close_run(j, &j->run[i]);
         if (err) return err;
     }
     return 0;

@@ -27,6 +27,10 @@ void path_default(path_config_t *c, uint32_t steps_per_mm_q16) {
     c->step_lat = step < PATH_STEP_MIN ? PATH_STEP_MIN : step > PATH_STEP_MAX ? PATH_STEP_MAX : (int32_t)step;
 }
 
+static inline path_fed_t *fed_of(const path_t *p) {
+    return CONFIG_FED ? p->fed : NULL;
+}
+
 static int pen_move(void *ctx, page_point_t to) {
     path_t *p = ctx;
     p->stats.strokes++;
@@ -85,16 +89,16 @@ static void forget_drawn(pool_t *pool) {
 static int draw_next(path_t *p) {
     const path_feed_t *feed = p->config.feed;
     bool over;
-    int err = outbox_draw(&p->fed->outbox, p->map, &p->simplify, &p->stats.vertices, &over);
+    int err = outbox_draw(&fed_of(p)->outbox, p->map, &p->simplify, &p->stats.vertices, &over);
     return !err && over && feed->rest ? feed->rest(feed->ctx) : err;
 }
 
 /* What the machine takes without waiting. */
 static void pump(path_t *p) {
     const path_feed_t *feed = p->config.feed;
-    if (!p->fed) return;
-    while ((!feed->ready || feed->ready(feed->ctx)) && p->fed->outbox.n > 0 && !p->fed->error)
-        p->fed->error = draw_next(p);
+    if (!fed_of(p)) return;
+    while ((!feed->ready || feed->ready(feed->ctx)) && fed_of(p)->outbox.n > 0 && !fed_of(p)->error)
+        fed_of(p)->error = draw_next(p);
 }
 
 static void pump_tick(void *ctx) {
@@ -102,8 +106,8 @@ static void pump_tick(void *ctx) {
 }
 
 static int drain(path_t *p) {
-    while (p->fed->outbox.n > 0 && !p->fed->error) p->fed->error = draw_next(p);
-    return p->fed->error;
+    while (fed_of(p)->outbox.n > 0 && !fed_of(p)->error) fed_of(p)->error = draw_next(p);
+    return fed_of(p)->error;
 }
 
 /* The pen will have so much to do with a run, at least. */
@@ -116,18 +120,18 @@ static int32_t run_us(const path_t *p, int32_t e) {
 /* Moves a stroke from the pool into the outbox. */
 static int settle(path_t *p, int32_t start) {
     pool_t *pool = &p->pool;
-    for (int32_t e = start; e >= 0 && !p->fed->error;) {
+    for (int32_t e = start; e >= 0 && !fed_of(p)->error;) {
         const int32_t far = pool_other_end(e), next = pool->mate[far];
-        while (outbox_full(&p->fed->outbox) && !p->fed->error) p->fed->error = draw_next(p);
+        while (outbox_full(&fed_of(p)->outbox) && !fed_of(p)->error) fed_of(p)->error = draw_next(p);
         const int32_t us = run_us(p, e) + (next < 0 ? p->config.feed->stroke_us : 0);
-        outbox_put(&p->fed->outbox, &pool->run[e >> 1], e & 1, next < 0, us);
+        outbox_put(&fed_of(p)->outbox, &pool->run[e >> 1], e & 1, next < 0, us);
         pool->run[e >> 1].to_hi |= RUN_DRAWN;
-        p->fed->ahead_us += us;
-        if (p->fed->ahead_us > p->fed->outbox.us) p->fed->ahead_us = p->fed->outbox.us;
+        fed_of(p)->ahead_us += us;
+        if (fed_of(p)->ahead_us > fed_of(p)->outbox.us) fed_of(p)->ahead_us = fed_of(p)->outbox.us;
         if (next < 0) pool_end_point(pool, p->map, far, &p->leaves);
         e = next;
     }
-    return p->fed->error;
+    return fed_of(p)->error;
 }
 
 /* How far ordering all that is left and drawing it is, in hundredths; a stage counts as much as it takes when there are
@@ -180,22 +184,22 @@ static int flush(path_t *p, enum flush why) {
     tour_t tour;
     order(p, &tour, all, why != FLUSH_FEED);
     const int32_t count = why == FLUSH_ROOM ? (tour.n + FLUSH_PART - 1) / FLUSH_PART : tour.n;
-    int err = !p->fed ? 0 : all ? drain(p) : p->fed->error;
+    int err = !fed_of(p) ? 0 : all ? drain(p) : fed_of(p)->error;
     p->drawing = tour.n;
-    for (int32_t k = 0; !err && k < count && (!p->fed || p->fed->ahead_us < until_us); k++) {
+    for (int32_t k = 0; !err && k < count && (!fed_of(p) || fed_of(p)->ahead_us < until_us); k++) {
         p->drawn = k;
         if (k % TELL_STROKES == 0)
             tell(p, all, TOLD_ORDERED + (int32_t)((int64_t)k * (TOLD_ALL - TOLD_ORDERED) / count));
         tour_fetch(&tour, pool, k);
         int32_t start = tour_stroke(&tour, pool, k);
         if (!all && drop_if_dot(p, tour.point, start)) continue;
-        if (p->fed && !all)
+        if (fed_of(p) && !all)
             err = settle(p, start);
         else
             err = emit_stroke(pool, p->map, tour.point, start, &p->simplify, &p->stats.vertices);
     }
     if (err) return err;
-    if (!p->fed) {
+    if (!fed_of(p)) {
         const path_feed_t *feed = p->config.feed;
         p->leaves = p->at;
         if (!all && feed && feed->rest) err = feed->rest(feed->ctx); /* not a word until the pool is full again */
@@ -214,17 +218,17 @@ static bool is_hungry(const path_fed_t *f) {
 }
 
 int path_advance(path_t *p, int32_t us) {
-    if (!p->fed) return 0;
+    if (!fed_of(p)) return 0;
     pump(p);
-    p->fed->ahead_us -= us;
-    if (p->fed->error || !is_hungry(p->fed)) return p->fed->error;
+    fed_of(p)->ahead_us -= us;
+    if (fed_of(p)->error || !is_hungry(p->fed)) return fed_of(p)->error;
     int err = p->pool.n == 0 ? join_finish(&p->join) : 0;
     return err || p->pool.n == 0 ? err : flush(p, FLUSH_FEED);
 }
 
 /* What is in the pool will be put in order, which takes time. */
 static int before_order(path_t *p) {
-    return p->fed ? path_advance(p, p->pool.n * p->config.feed->order_us) : 0;
+    return fed_of(p) ? path_advance(p, p->pool.n * p->config.feed->order_us) : 0;
 }
 
 static int take_run(void *ctx, const ink_piece_t *run) {
@@ -260,7 +264,7 @@ int path_init(path_t *p, void *mem, size_t bytes, const path_config_t *c, const 
     *p = (path_t){.config = *c, .map = map, .pen = pen, .at = c->home, .leaves = c->home, .arrival_at = c->home};
     join_init(&p->join, (uint8_t *)mem + skip, pairs, c->step_lat / 4, map, (ink_sink_t){p, take_run});
     left -= JOIN_BYTES(pairs);
-    const size_t waiting = c->feed ? (size_t)c->feed->runs : 0;
+    const size_t waiting = CONFIG_FED && c->feed ? (size_t)c->feed->runs : 0;
     size_t fed = waiting ? sizeof(path_fed_t) + OUTBOX_BYTES(waiting) : 0;
     if (fed > left / FEED_MEMORY_PART) fed = 0;
     left = (left - fed) / 8 * 8;
@@ -274,7 +278,7 @@ int path_init(path_t *p, void *mem, size_t bytes, const path_config_t *c, const 
     if (fed) {
         p->fed = (path_fed_t *)(void *)((uint8_t *)p->pool.run + left);
         *p->fed = (path_fed_t){.ahead_us = 0};
-        outbox_init(&p->fed->outbox, (outbox_run_t *)(void *)(p->fed + 1), (int32_t)waiting);
+        outbox_init(&fed_of(p)->outbox, (outbox_run_t *)(void *)(p->fed + 1), (int32_t)waiting);
         p->pool.tick = pump_tick;
         p->pool.tick_ctx = p;
     }

@@ -7,6 +7,7 @@
 #ifndef POOL_H
 #define POOL_H
 
+#include "config.h"
 #include "path/run.h"
 #include "view/page.h"
 
@@ -28,7 +29,7 @@ typedef struct pool {
 } pool_t;
 
 static inline void pool_tick(const pool_t *p) {
-    if (p->tick) p->tick(p->tick_ctx);
+    if (CONFIG_FED && p->tick) p->tick(p->tick_ctx);
 }
 
 static inline int32_t pool_other_end(int32_t e) {

@@ -3,7 +3,7 @@
 
 #include "error.h"
 
-static int take(void *ctx, const ink_piece_t *piece) {
+static int wait_piece(void *ctx, const ink_piece_t *piece) {
     waiting_t *w = ctx;
     if (w->n == w->cap) return ERR_FULL;
     if (!run_fits(piece)) return ERR_VALUE;
@@ -13,7 +13,7 @@ static int take(void *ctx, const ink_piece_t *piece) {
 }
 
 ink_sink_t waiting_sink(waiting_t *w) {
-    return (ink_sink_t){w, take};
+    return (ink_sink_t){w, wait_piece};
 }
 
 int waiting_pause(waiting_t *w) {

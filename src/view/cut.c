@@ -71,7 +71,8 @@ static __attribute__((noinline)) bool clip_close(const line_space_t *s, const in
 }
 
 /* The part [*from, *to] of one cell's stretch that is inside; false if none is. */
-static bool clip_cell(const line_space_t *s, const ink_piece_t *p, int64_t *from, int64_t *to) {
+static __attribute__((noinline)) bool clip_cell(const line_space_t *s, const ink_piece_t *p, int64_t *from,
+                                                int64_t *to) {
     page_h_t h0, h1;
     if (!s->at(s->ctx, p->family, p->line, *from, &h0)) return false;
     if (!s->at(s->ctx, p->family, p->line, *to, &h1)) return false;

@@ -42,8 +42,9 @@ static bool is_near(int32_t a, int32_t b) {
     return d >= -CLAMP_LAT && d <= CLAMP_LAT;
 }
 
-/* A point close to the eye. */
-static bool exact_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t, page_point_t *out) {
+/* A point close to the eye. Apart from line_space_point, on whose way little of the stack may be left. */
+static __attribute__((noinline)) bool exact_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t,
+                                                  page_point_t *out) {
     num_t h[3];
     if (!s->exact(s->ctx, family, line, t, h) || num_sign(h[2]) <= 0) return false;
     bool fits = true;

@@ -73,7 +73,8 @@ static inline bool vertex_h(page_map_t *m, int32_t i, int32_t j, page_h_t *h) {
 
 /* A line ends where it meets a limit of heights: the limit itself is the height there. a_in: the first point of the
  * edge is within the limits. */
-static bool limit_h(page_map_t *m, const int32_t a[2], const int32_t b[2], bool a_in, int64_t s_q46, page_h_t *h) {
+static __attribute__((noinline)) bool limit_h(page_map_t *m, const int32_t a[2], const int32_t b[2], bool a_in,
+                                              int64_t s_q46, page_h_t *h) {
     num_t z;
     int64_t at_q46;
     if (!m->grid->to_limits || !grid_edge_limit(m->grid, a_in ? a : b, a_in ? b : a, &z, &at_q46)) return false;
@@ -101,24 +102,31 @@ static bool lines_at(void *ctx, uint8_t family, int32_t line, int64_t t, page_h_
     return true;
 }
 
-/* Interpolated in the world, before it is projected: less stack, and as exact. */
-static bool exact_at(void *ctx, uint8_t family, int32_t line, int64_t t, num_t h[3]) {
-    const page_map_t *m = ctx;
+/* The point at `part` of an edge from (i, j) whose ends have heights z. Interpolated in the world, before it is
+ * projected: less stack, and as exact. */
+static __attribute__((noinline)) void exact_between(const page_map_t *m, bool row, int32_t i, int32_t j,
+                                                    const num_t z[2], int64_t part_q46, num_t h[3]) {
     const surface_t *src = m->grid->src;
-    const bool row = family == INK_ROW;
-    const int32_t at = (int32_t)(t >> INK_GRID_BITS), i = row ? at : line, j = row ? line : at;
-    const num_t part = num_from_fixed(t & (INK_GRID_ONE - 1), INK_GRID_BITS);
-    num_t p[3], next;
-    if (!grid_value(m->grid, i, j, &p[2])) return false;
-    p[0] = src->x_of(src->ctx, i);
-    p[1] = src->y_of(src->ctx, j);
-    if (part.m != 0) {
-        if (!grid_value(m->grid, i + row, j + !row, &next)) return false;
-        p[2] = num_add(p[2], num_mul(num_sub(next, p[2]), part));
-        next = row ? src->x_of(src->ctx, i + 1) : src->y_of(src->ctx, j + 1);
+    const num_t part = num_from_fixed(part_q46, INK_GRID_BITS);
+    num_t p[3] = {src->x_of(src->ctx, i), src->y_of(src->ctx, j), z[0]};
+    if (part_q46 != 0) {
+        p[2] = num_add(p[2], num_mul(num_sub(z[1], p[2]), part));
+        const num_t next = row ? src->x_of(src->ctx, i + 1) : src->y_of(src->ctx, j + 1);
         p[!row] = num_add(p[!row], num_mul(num_sub(next, p[!row]), part));
     }
     camera_project(m->cam, p, h);
+}
+
+/* Little is on the stack while heights are evaluated. */
+static bool exact_at(void *ctx, uint8_t family, int32_t line, int64_t t, num_t h[3]) {
+    const page_map_t *m = ctx;
+    const bool row = family == INK_ROW;
+    const int32_t at = (int32_t)(t >> INK_GRID_BITS), i = row ? at : line, j = row ? line : at;
+    const int64_t part_q46 = t & (INK_GRID_ONE - 1);
+    num_t z[2];
+    if (!grid_value(m->grid, i, j, &z[0])) return false;
+    if (part_q46 != 0 && !grid_value(m->grid, i + row, j + !row, &z[1])) return false;
+    exact_between(m, row, i, j, z, part_q46, h);
     return true;
 }
 
