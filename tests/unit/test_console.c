@@ -211,7 +211,7 @@ static void test_settings_are_kept(void **state) {
 
 static void test_too_large(void **state) {
     (void)state;
-    fix_power_on(MOTION_BYTES_HOST + 5000);
+    fix_power_on(MOTION_BYTES_HOST + 3000);
     fix_say("set isosamples 60,60\rsplot rand(0)\r", 10 * SECOND);
     HEARD("The scene does not fit: it may need ");
     HEARD("Nothing was drawn");
