@@ -73,17 +73,22 @@ typedef struct search {
 } search_t;
 
 static void search_cell(search_t *s, near_cell_t *c) {
-    int32_t *item = &s->g->item[c->start];
-    for (uint32_t i = 0; i < c->count && i < NEAR_CELL_SCAN;) {
-        spot_t spot = s->g->spot[item[i]];
-        if (spot.x < 0) {
-            item[i] = item[--c->count];
+    const spot_t *const spot = s->g->spot, at = s->at;
+    int32_t *const item = &s->g->item[c->start];
+    uint32_t count = c->count, best = s->best;
+    for (uint32_t i = 0; i < count && i < NEAR_CELL_SCAN;) {
+        const int32_t k = item[i];
+        const spot_t here = spot[k];
+        if (here.x < 0) {
+            item[i] = item[--count];
+            c->count = count;
             continue;
         }
-        uint32_t d = near_square(spot, s->at);
-        if (d < s->best) s->best = d, s->found = item[i];
+        const uint32_t d = near_square(here, at);
+        if (d < best) best = d, s->found = k;
         i++;
     }
+    s->best = best;
 }
 
 /* How far it is from v to the cells that are `by` (of either sign) columns or rows away from its own, c. */
@@ -113,31 +118,40 @@ static int32_t clamp(int32_t v, int32_t max) {
     return v < 0 ? 0 : v > max ? max : v;
 }
 
-/* The cell of the place and the eight around it, where most searches end: as search_row, with everything that they have
- * in common computed once. */
+#define FAR INT32_MAX /* beyond every square of a distance; twice that fits 32 bits */
+
+/* The square of how far the cells on one side are, or FAR if there are none. */
+static uint32_t border(int32_t v, int32_t c, int shift, int32_t by, int32_t cells) {
+    if (c + by < 0 || c + by >= cells) return FAR;
+    const uint32_t d = away(v, c, shift, by);
+    return d * d;
+}
+
+/* The eight cells around that of the place, where most searches end, those beside it first; each only if it is nearer
+ * than what has been found. */
 static void search_around(search_t *s) {
-    static const int ORDER[9][2] = {{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
-    near_t *g = s->g;
-    uint32_t square[2][3];
-    for (int by = -1; by <= 1; by++) {
-        uint32_t x = away(s->at.x, s->cx, g->shift_x, by), y = away(s->at.y, s->cy, g->shift_y, by);
-        square[0][by + 1] = x * x;
-        square[1][by + 1] = y * y;
-    }
-    for (int k = 0; k < 9; k++) {
-        int32_t i = ORDER[k][0], j = ORDER[k][1];
-        if (square[0][i + 1] + square[1][j + 1] >= s->best) continue;
-        const uint32_t x = (uint32_t)(s->cx + i), y = (uint32_t)(s->cy + j);
-        if (x >= (uint32_t)g->nx || y >= (uint32_t)g->ny) continue;
-        search_cell(s, &g->cell[y * (uint32_t)g->nx + x]);
-    }
+    const near_t *g = s->g;
+    near_cell_t *own = &g->cell[s->cy * g->nx + s->cx];
+    const uint32_t left = border(s->at.x, s->cx, g->shift_x, -1, g->nx),
+                   right = border(s->at.x, s->cx, g->shift_x, 1, g->nx);
+    const uint32_t below = border(s->at.y, s->cy, g->shift_y, -1, g->ny),
+                   above = border(s->at.y, s->cy, g->shift_y, 1, g->ny);
+    if (left < s->best) search_cell(s, own - 1);
+    if (right < s->best) search_cell(s, own + 1);
+    if (below < s->best) search_cell(s, own - g->nx);
+    if (above < s->best) search_cell(s, own + g->nx);
+    if (left + below < s->best) search_cell(s, own - g->nx - 1);
+    if (right + below < s->best) search_cell(s, own - g->nx + 1);
+    if (left + above < s->best) search_cell(s, own + g->nx - 1);
+    if (right + above < s->best) search_cell(s, own + g->nx + 1);
 }
 
 int32_t near_take(near_t *g, spot_t at) {
-    search_t s = {.g = g, .at = at, .found = -1, .best = UINT32_MAX};
+    search_t s = {.g = g, .at = at, .found = -1, .best = FAR};
     s.cx = clamp(at.x >> g->shift_x, g->nx - 1);
     s.cy = clamp(at.y >> g->shift_y, g->ny - 1);
     int32_t rings = g->nx > g->ny ? g->nx : g->ny;
+    search_cell(&s, &g->cell[s.cy * g->nx + s.cx]);
     search_around(&s);
     for (int32_t r = 2; r < rings; r++) {
         uint32_t nearest = UINT32_MAX; /* of what the ring may hold */
