@@ -183,6 +183,10 @@ typedef struct edge {
     int64_t noise;
 } edge_t;
 
+/* A core of 32 bits had rather branch than multiply; on a desktop a branch that is guessed wrong costs more than both
+ * products. */
+#define PASS_NARROW (sizeof(void *) < 8)
+
 /* Goes on while vertices, no jumps among them, leave the edge what it is: hidden, or visible. Decides as envelope_below
  * does, with all that has to do with the edge alone computed once and the ends of the gap in registers: on a rough
  * surface a clip passes seven vertices. Returns the last one, or v. */
@@ -192,13 +196,13 @@ pass(envelope_t *h, const edge_t *e, pencil_t v, const bool visible, const bool 
     int64_t tests = 0;
     if (l[-1].a == r->a) return v;
     while (r->a < e->q.a && r[1].a != r->a) {
-        if (r->w >= e->hi) {
-            if (visible) break;
-        } else if (r->w + ENVELOPE_NOISE < e->lo) {
-            if (!visible) break;
+        const bool under = r->w < e->hi, far = r->w + ENVELOPE_NOISE < e->lo;
+        if (PASS_NARROW && (!under || far)) {
+            if (under != visible) break;
         } else {
-            if ((envelope_orient(e->p, e->q, *r) < -e->noise) != visible) break;
-            tests++;
+            const bool below = under & (far | (envelope_orient(e->p, e->q, *r) < -e->noise));
+            if (below != visible) break;
+            tests += under & !far;
         }
         if (!raise || !visible) *l++ = *r;
         r++;
