@@ -50,9 +50,8 @@ static bool is_free_in(const chain_t *c, int32_t e, const page_point_t *lo, cons
 }
 
 void chain_enter_free(chain_t *c, page_point_t lo, page_point_t hi) {
-    int32_t ends = 2 * c->pool->n, entered = 0;
-    for (int32_t e = 0; e < ends; e++) entered += is_free_in(c, e, &lo, &hi);
-    make_buckets(c, entered);
+    const int32_t ends = 2 * c->pool->n;
+    make_buckets(c, c->free);
     for (int32_t e = 0; e < ends; e++) {
         if (is_free_in(c, e, &lo, &hi)) chain_enter(c, e, c->point[e]);
     }
@@ -273,5 +272,6 @@ int32_t chain_close(chain_t *c) {
         p->mate[far] = ~e;
         strokes++;
     }
+    c->free = 2 * strokes;
     return strokes;
 }

@@ -16,6 +16,7 @@ typedef struct chain {
     const ink_map_t *map;
     int32_t near_lat;
     int32_t room;        /* runs that there is memory for */
+    int32_t free;        /* ends of open strokes, after chain_close */
     page_point_t *point; /* of every end */
     int32_t *next;       /* next end in the same bucket, or -1 */
     int32_t *head;       /* buckets */

@@ -292,6 +292,8 @@ void tour_improve(tour_t *t, int64_t operations) {
     search_t s = {.t = t, .random = 1};
     t->budget = operations;
     if (t->n < 2 || operations <= 0) return;
+    for (int32_t k = 0; k <= t->n; k++) t->place[t->order[k] >> 1] = k;
+    for (int32_t k = 0; k < t->n; k++) near_unmark(t->spot, k); /* tour_greedy has taken them all */
     near_build(&t->near, t->n + 1, CROWD);
     descend(&s);
     if (t->n >= KICKS_FROM) kick_on(&s);

@@ -206,7 +206,10 @@ static int flush(path_t *p, enum flush why) {
     }
     if (err) return err;
     p->drawing = p->drawn = 0;
-    forget_drawn(pool);
+    if (all)
+        pool->n = 0;
+    else
+        forget_drawn(pool);
     p->kept = pool->n;
     return 0;
 }

@@ -81,12 +81,7 @@ void tour_greedy(tour_t *t) {
         near_mark(t->spot, item >> 1);
         t->order[t->n - left--] = item;
     }
-    for (int32_t k = 0; k < t->n; k++) {
-        near_unmark(t->spot, k);
-        t->place[t->order[k] >> 1] = k;
-    }
     t->order[t->n] = 2 * t->n;
-    t->place[t->n] = t->n;
 }
 
 static void turn_back(int32_t *item, int32_t from, int32_t to) {
@@ -98,7 +93,9 @@ static void turn_back(int32_t *item, int32_t from, int32_t to) {
 }
 
 void tour_settle(tour_t *t) {
-    int32_t n = t->n, pen = t->place[n];
+    int32_t n = t->n, pen = n;
+    if (t->order[n] == 2 * n) return; /* as tour_greedy leaves it */
+    while (t->order[pen] >> 1 != n) pen--;
     if (t->order[pen] != 2 * n) { /* the pen's stroke is entered where it should be left: mirror the circle */
         turn_back(t->order, 0, n);
         for (int32_t k = 0; k <= n; k++) t->order[k] ^= 1;
@@ -107,7 +104,6 @@ void tour_settle(tour_t *t) {
     turn_back(t->order, 0, pen); /* rotate by three reversals */
     turn_back(t->order, pen + 1, n);
     turn_back(t->order, 0, n);
-    for (int32_t k = 0; k <= n; k++) t->place[t->order[k] >> 1] = k;
 }
 
 int32_t tour_stroke(const tour_t *t, const pool_t *pool, int32_t k) {
