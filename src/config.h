@@ -59,6 +59,12 @@
 #define CONFIG_LOWEST CONFIG_AREA
 #endif
 
+/* 1: the core has an instruction that divides. Without one fractions are found by products (view/pencil.h); the same.
+ */
+#ifndef CONFIG_DIVIDES
+#define CONFIG_DIVIDES 1
+#endif
+
 /* 1: how far ordering strokes is can be told (path_config_t.tell); 8 bytes of RAM. */
 #ifndef CONFIG_TELL_ORDER
 #define CONFIG_TELL_ORDER CONFIG_AREA
