@@ -196,17 +196,24 @@ bool edges_column_is_vertical(const edges_t *e, const chart_line_t *line, const 
     return is_vertical(e, line->at[i], next->at[i], &e->chart.column[i].p);
 }
 
+/* Once or twice a facet: field by field, where an initialiser would be a call of memset. */
+static inline void begin_edge(edges_edge_t *k, uint8_t family, int32_t line, int32_t cell, run_t *run) {
+    k->family = family;
+    k->in_plane = k->quiet = false;
+    k->line = line;
+    k->cell = cell;
+    k->run = run;
+    k->g0 = k->g1 = 1;
+    k->start_q46 = 0;
+    k->way_q46 = INK_GRID_ONE;
+    k->taken = 0;
+}
+
 int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run) {
     pencil_t p0 = line->at[i], p1 = line->at[i + 1];
     const chart_column_t *c = e->chart.column;
-    e->edge = (edges_edge_t){.family = INK_ROW,
-                             .in_plane = line->in_plane,
-                             .line = line->j,
-                             .cell = i,
-                             .run = run,
-                             .g0 = 1,
-                             .g1 = 1,
-                             .way_q46 = INK_GRID_ONE};
+    begin_edge(&e->edge, INK_ROW, line->j, i, run);
+    e->edge.in_plane = line->in_plane;
     e->clipped += !e->outline_only && e->work != EDGES_COVER;
     if (e->chart.kind == CHART_EAST) {
         e->edge.g0 = c[i].r;
@@ -227,8 +234,7 @@ int edges_row(edges_t *e, const chart_line_t *line, int32_t i, run_t *run) {
 int edges_column(edges_t *e, const chart_line_t *line, const chart_line_t *next, int32_t i, run_t *run) {
     pencil_t p0 = line->at[i], p1 = next->at[i];
     const chart_column_t *c = e->chart.column;
-    e->edge = (edges_edge_t){
-        .family = INK_COL, .line = i, .cell = line->j, .run = run, .g0 = 1, .g1 = 1, .way_q46 = INK_GRID_ONE};
+    begin_edge(&e->edge, INK_COL, i, line->j, run);
     e->clipped += !e->outline_only && e->work != EDGES_COVER;
     if (e->chart.kind == CHART_NORTH) {
         e->edge.g0 = line->r;

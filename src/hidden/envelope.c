@@ -151,8 +151,6 @@ pencil_t envelope_crossing(pencil_t p, pencil_t q, pencil_t v, pencil_t w, bool 
 
 /* The state of one clip. */
 typedef struct clip {
-    envelope_t *h;
-    pencil_t p, q;
     int32_t from_q30; /* start of the visible part */
     bool visible, any;
     bool first; /* the horizon is at the floor */
@@ -213,7 +211,9 @@ pass(envelope_t *h, const edge_t *e, pencil_t v, const bool visible, const bool 
 /* Walks along the horizon under an edge; raise: and raises it. */
 static inline __attribute__((always_inline)) int walk(envelope_t *h, pencil_t p, pencil_t q, envelope_take_t take,
                                                       void *ctx, envelope_count_t *count, const bool raise) {
-    clip_t c = {.h = h, .p = p, .q = q};
+    clip_t c;
+    c.from_q30 = 0;
+    c.visible = c.any = false; /* one by one: some compilers call memset for a structure */
     const edge_t edge = {p, q, pencil_min(p.w, q.w), pencil_max(p.w, q.w), envelope_noise(p, q)};
     envelope_seek(h, p.a);
     int err = room(h);

@@ -19,9 +19,14 @@ static uint32_t inverse(uint32_t d) {
 /* Three digits of the quotient, each taken from the upper 16 bits of the remainder and put right by one at the most: it
  * is low by 2^10 (1 / 6,500 + 2^-15), no more than 0.2, before it is rounded down. Products are of 32 bits. */
 uint32_t pencil_divide(uint64_t num, uint64_t den) {
-    const int up = ints_clz64(den) - 30;
-    den <<= up;
-    num <<= up;
+    const int up = ints_clz64(den) - 30; /* to 34 bits */
+    if (up > 0) {
+        den <<= up;
+        num <<= up;
+    } else {
+        den >>= -up;
+        num >>= -up;
+    }
     const uint32_t per_top = inverse((uint32_t)(den >> TOP_SHIFT));
     const uint32_t low = (uint32_t)den & 0xffff, high = (uint32_t)(den >> 16);
     uint32_t quotient = 0;
