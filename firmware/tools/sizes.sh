@@ -14,7 +14,8 @@ for board in "$@"; do
     worst=$({ cat $own firmware/tools/pointers.txt; "${CROSS}objdump" -s -j .text -j .data "$elf"; "${CROSS}objdump" -d --no-show-raw-insn "$elf"; } |
         awk -f firmware/tools/stack.awk)
     printf '%-10s %10d %10d %12d %12s\n' "$board" $(($1 + $2)) $(($2 + $3)) "$room" "${worst%% *}"
+    [ "${worst%% *}" -le "$room" ] || echo "! $board: the stack may run over (PATHS=1 tells where)"
     [ -n "$PATHS" ] && printf '    %s\n' "${worst#* }"
 done
-echo 'The bound is of every function that can call another, all drawn at once: Bessel functions, dashes, cuts and haloes while the pen'
-echo 'is being fed. What drawings really took is told by `memory` at the console, and in docs/NUMBERS.md.'
+echo 'The bound is of all functions that can call one another, interrupts included, as firmware/tools/pointers.txt tells. What'
+echo 'drawings really took is told by `memory` at the console, and in docs/NUMBERS.md.'

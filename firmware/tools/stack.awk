@@ -31,6 +31,7 @@ function registers(list,    n, part, i, sum, ends) { # of {r4, r5, lr} or {r4-r7
     name[f] = $2; gsub(/[<>:]/, "", name[f])
     at[f] = substr($1, length($1) - 7)
     popped = ""
+    split("", loaded)
     next
 }
 f == "" || !/^ *[0-9a-f]+:\t/ { next }
@@ -43,7 +44,7 @@ op == ".word" { value[here] = substr(arg, 3, 8); next }
 op ~ /^push/ || (op ~ /^stmdb/ && arg ~ /^sp!/) { frame[f] += 4 * registers(arg); next }
 op ~ /^str/ && arg ~ /\[sp, #-[0-9]+\]!/ { n = arg; sub(/.*#-/, "", n); frame[f] += n + 0; next }
 op ~ /^sub/ && arg ~ /^sp, (sp, )?#/ { n = arg; sub(/.*sp, #/, "", n); frame[f] += n + 0; next }
-op ~ /^ldr/ && arg ~ /^r[0-9]+, \[pc/ { r = arg; sub(/,.*/, "", r); n = arg; sub(/.*\(/, "", n); sub(/ .*/, "", n); loaded[r] = n; next }
+op ~ /^ldr/ && arg ~ /^r[0-9]+, \[pc/ { r = arg; sub(/,.*/, "", r); n = $0; sub(/.*\(/, "", n); sub(/ .*/, "", n); loaded[r] = n; next }
 op ~ /^add/ && arg ~ /^sp, r/ { r = arg; sub(/.*, /, "", r); moved[f] = moved[f] " " loaded[r]; next }
 op ~ /^pop/ { popped = arg; next }
 op == "blx" { indirect[f] = 1; next }
@@ -105,8 +106,8 @@ END {
     }
     for (g in at) if (name[g] == "start_reset") first = g
     d = depth(first, 1, "")
-    d += most(0, "^(player_isr|port_timer_isr|player_dma_isr|port_switches_isr)$") + most(1, "^(port_plan_isr|ahead_plan_isr)$")
-    d += most(2, "^(port_uart_isr|console_uart_isr)$") + most(3, "^(port_wake_isr|port_pen_isr|port_systick_isr)$")
+    d += most(0, "^(player_isr|port_timer_isr|player_dma_isr|port_switches_isr)$") + most(1, "^(port_plan_isr|ahead_plan_isr|port_wake_isr)$")
+    d += most(2, "^(port_uart_isr|console_uart_isr)$") + most(3, "^(port_pen_isr|port_systick_isr)$")
     for (g in circle) around = around " " g
     if (around) print "calls itself:" around > "/dev/stderr"
     for (g in untold) unknown = unknown " " g "()"

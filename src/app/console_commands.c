@@ -198,7 +198,7 @@ static int memory(console_t *c) {
 /* What typed solids take, as towers of cubes and lattices of struts do that fill a board (docs/BOARD.md). */
 #define CUBE_BYTES 1460
 #define STRUT_BYTES 110
-#define STRUTS_BYTES 600 /* and once for all of them */
+#define STRUTS_BYTES (600 + (int)HIDDEN_LENT(uint8_t[290])) /* and once for all of them */
 
 static void tell_room(const console_t *c) {
     const int64_t bytes = (int64_t)(c->session.pool_size * sizeof *c->session.pool.base);

@@ -1,6 +1,9 @@
 /* picture_halo.c - wire frames of solids and of grids as sources for haloed lines. */
 #include "app/picture_stages.h"
 
+#include "error.h"
+#include <string.h>
+
 #include "hidden/halo.h"
 #include "hidden/halo_ink.h"
 #include "view/page.h"
@@ -110,16 +113,27 @@ static bool grid_edge(void *ctx, int32_t e, ink_piece_t *ink, page_h_t end[2], i
 }
 
 int picture_halo_surfaces(picture_t *p, const hidden_job_t *job) {
-    frames_t f = {.p = p};
-    halo_source_t source = {.ctx = &f, .lines = p->lines, .surfaces = p->spaces, .edge = grid_edge};
+#if CONFIG_WAITING > 0 /* little stack */
+    hidden_job_t rest = *job;
+    frames_t *f = hidden_lend(&rest, sizeof *f);
+    if (!f) return ERR_FULL;
+    job = &rest;
+#else
+    frames_t own, *f = &own;
+#endif
+    memset(f, 0, sizeof *f);
+    f->p = p;
+    halo_source_t source = {.ctx = f, .lines = p->lines, .surfaces = p->spaces, .edge = grid_edge};
     for (int32_t k = 0; k < p->spaces; k++) {
         source.edges += grid_edges(&p->grid[k]);
         p->stats.facets += (int64_t)(p->grid[k].nx - 1) * (p->grid[k].ny - 1);
     }
-    weigh(&f);
-    if (!p->camera.perspective) weigh_heights(&f);
+    weigh(f);
+    if (!p->camera.perspective) weigh_heights(f);
     const settings_t *s = p->plot->settings;
-    return halo_ink_draw(&source, width_lat(s), s->halo_ends, job, &p->stats.hidden);
+    int err = halo_ink_draw(&source, width_lat(s), s->halo_ends, job, &p->stats.hidden);
+    p->stats.hidden.bytes += HIDDEN_LENT(frames_t);
+    return err;
 }
 
 static bool solid_edge(void *ctx, int32_t e, ink_piece_t *ink, page_h_t end[2], int32_t depth[2]) {

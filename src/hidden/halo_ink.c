@@ -5,6 +5,7 @@
 #include "hidden/halo.h"
 #include "num/ints.h"
 #include "view/cut.h"
+#include <string.h>
 
 /* Moved by less than this on the page, a quarter of a step, everything looks the same: what lies so close that the
  * order depends on it touches. Files with four digits have bars that cross like that. */
@@ -117,36 +118,49 @@ static void find_nearest(halo_ink_t *d) {
 
 int halo_ink_draw(const halo_source_t *source, int32_t width, bool ends, const hidden_job_t *job,
                   hidden_stats_t *stats) {
-    halo_ink_t d = {.source = source, .job = job, .stats = stats, .edge = -1};
-    halo_t h;
     *stats = (hidden_stats_t){0};
     if (source->edges == 0) return 0;
+    hidden_job_t rest = *job;
+#if CONFIG_WAITING > 0
+    halo_ink_t *d = hidden_lend(&rest, sizeof *d);
+    halo_t *h = hidden_lend(&rest, sizeof *h);
+    if (d == NULL || h == NULL) return ERR_FULL;
+#else
+    halo_ink_t own, *d = &own;
+    halo_t cuts, *h = &cuts;
+#endif
+    memset(d, 0, sizeof *d);
+    d->source = source;
+    d->job = job;
+    d->stats = stats;
+    d->edge = -1;
     const page_window_t *w = source->lines[0].window;
-    d.window = (page_window_t){w->x0_lat - width, w->y0_lat - width, w->x1_lat + width, w->y1_lat + width};
-    view_t *v = &d.view;
-    d.frac_bits = INT32_MAX;
+    d->window = (page_window_t){w->x0_lat - width, w->y0_lat - width, w->x1_lat + width, w->y1_lat + width};
+    view_t *v = &d->view;
+    d->frac_bits = INT32_MAX;
     for (int32_t k = 0; k < source->surfaces; k++) {
-        if (source->lines[k].frac_bits < d.frac_bits) d.frac_bits = source->lines[k].frac_bits;
+        if (source->lines[k].frac_bits < d->frac_bits) d->frac_bits = source->lines[k].frac_bits;
     }
-    if (is_perspective(&d)) find_nearest(&d);
-    halo_init(&h, job->mem, job->bytes);
-    h.contact = CONTACT;
-    h.tick = job->tick;
-    h.tick_ctx = job->tick_ctx;
+    if (is_perspective(d)) find_nearest(d);
+    halo_init(h, rest.mem, rest.bytes);
+    h->contact = CONTACT;
+    h->tick = job->tick;
+    h->tick_ctx = job->tick_ctx;
     int err = 0;
     for (int32_t e = 0; e < source->edges; e++) {
         if (e % 256 == 0) tell(job, 0, 1);
-        if (!see(&d, e, v)) continue;
+        if (!see(d, e, v)) continue;
         stats->edges++;
-        if (err == 0) err = halo_add(&h, e, point_of(&d, v, 0), point_of(&d, v, 1));
+        if (err == 0) err = halo_add(h, e, point_of(d, v, 0), point_of(d, v, 1));
     }
-    if (err == 0) err = halo_cut(&h, ends ? width : 0);
-    stats->tests = h.tests;
-    stats->crossings = err == 0 || h.crossings > 0 ? h.crossings : 0;
-    stats->bytes = err == 0 || h.crossings > 0 ? h.used : HALO_BYTES_PER_EDGE_LEAST * (size_t)stats->edges;
+    if (err == 0) err = halo_cut(h, ends ? width : 0);
+    stats->tests = h->tests;
+    stats->crossings = err == 0 || h->crossings > 0 ? h->crossings : 0;
+    stats->bytes = err == 0 || h->crossings > 0 ? h->used : HALO_BYTES_PER_EDGE_LEAST * (size_t)stats->edges;
+    stats->bytes += HIDDEN_LENT(halo_ink_t) + HIDDEN_LENT(halo_t);
     if (err != 0) return err;
-    d.edge = -1;
-    err = halo_draw(&h, width, &(halo_sink_t){&d, take});
+    d->edge = -1;
+    err = halo_draw(h, width, &(halo_sink_t){d, take});
     tell(job, 1, 1);
     return err;
 }

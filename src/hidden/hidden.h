@@ -35,6 +35,19 @@ typedef struct hidden_job {
     const hidden_pause_t *pause; /* perimeter, horizon; may be NULL */
 } hidden_job_t;
 
+/* A part of the job's memory, from its front: what a kernel would have on the stack, where that is small
+ * (CONFIG_WAITING). NULL if there is not so much. */
+static inline void *hidden_lend(hidden_job_t *job, size_t bytes) {
+    void *at = job->mem;
+    bytes = (bytes + 7) / 8 * 8;
+    if (at == NULL || job->bytes < bytes) return NULL;
+    job->mem = (uint8_t *)at + bytes;
+    job->bytes -= bytes;
+    return at;
+}
+
+#define HIDDEN_LENT(type) (CONFIG_WAITING > 0 ? (sizeof(type) + 7) / 8 * 8 : 0)
+
 /* What a drawing took. Filled in also when the kernel ends with an error. */
 typedef struct hidden_stats {
     int64_t facets;                 /* facets (horizon: profile segments) that took part: those at holes do not */

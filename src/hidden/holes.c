@@ -31,12 +31,9 @@ static int clip_far(sweep_t *s, layer_t *l, int32_t i) {
     return err;
 }
 
-/* Clips and closes all that is new of a facet. */
-static int facet(sweep_t *s, layer_t *l, int32_t i, int8_t below) {
-    edges_t *e = &s->edges;
-    int err = side_outline(s, l, i);
-    if (err == 0) err = clip_far(s, l, i);
-    if (err != 0 || (below == 0 && e->windows.present == 0)) return err;
+/* Closes what a facet covers. Not inline: its arrays need not be on the stack while edges are clipped. */
+static __attribute__((noinline)) int close_facet(edges_t *e, const layer_t *l, int8_t below) {
+    int err = 0;
     int32_t end[WINDOWS_ENDS];
     const int32_t ends = windows_ends(l->outline, l->lines, end);
     for (int32_t c = 0; c + 1 < ends && err == 0; c++) { /* one span at a time: they take much stack */
@@ -46,6 +43,14 @@ static int facet(sweep_t *s, layer_t *l, int32_t i, int8_t below) {
         if (err == 0) err = windows_close(&e->windows, &span, 1, below);
     }
     return err;
+}
+
+/* Clips and closes all that is new of a facet. */
+static int facet(sweep_t *s, layer_t *l, int32_t i, int8_t below) {
+    int err = side_outline(s, l, i);
+    if (err == 0) err = clip_far(s, l, i);
+    if (err != 0 || (below == 0 && s->edges.windows.present == 0)) return err;
+    return close_facet(&s->edges, l, below);
 }
 
 /* Is no window over the facet, and none of its far edges vertical? */

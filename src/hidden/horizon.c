@@ -8,6 +8,7 @@
 #include "hidden/horizons.h"
 #include "hidden/runs.h"
 #include "view/plane.h"
+#include <string.h>
 
 #define NEAREST_BITS 6 /* profiles nearer than 2^-6 of the farthest are left out */
 
@@ -119,26 +120,36 @@ static int draw_profile(drawing_t *d, int32_t k, num_t depth) {
 }
 
 size_t horizon_bytes(int32_t vertices) {
-    return (size_t)vertices * sizeof(pencil_t);
+    return HIDDEN_LENT(drawing_t) + (size_t)vertices * sizeof(pencil_t);
 }
 
 int horizon_draw(const profiles_t *src, const camera_t *cam, bool infinite, const hidden_job_t *job,
                  hidden_stats_t *stats) {
-    drawing_t d = {.src = src, .pause = job->pause, .runs = {.sink = job->sink}};
+    hidden_job_t rest = *job;
+#if CONFIG_WAITING > 0
+    drawing_t *d = hidden_lend(&rest, sizeof *d);
+    if (d == NULL) return ERR_FULL;
+#else
+    drawing_t own, *d = &own;
+#endif
+    memset(d, 0, sizeof *d);
+    d->src = src;
+    d->pause = job->pause;
+    d->runs.sink = job->sink;
     *stats = (hidden_stats_t){0};
-    int err = horizons_init(&d.horizons, true, !infinite, job->mem, job->bytes / sizeof(pencil_t), take_part, &d);
-    if (err == 0) err = measure(&d, cam);
+    int err = horizons_init(&d->horizons, true, !infinite, rest.mem, rest.bytes / sizeof(pencil_t), take_part, d);
+    if (err == 0) err = measure(d, cam);
     for (int32_t k = 0; k < src->count && err == 0; k++) {
         num_t depth;
-        if (depth_of(&d, k, &depth)) err = draw_profile(&d, k, depth);
+        if (depth_of(d, k, &depth)) err = draw_profile(d, k, depth);
         if (err == 0 && job->tick != NULL) job->tick(job->tick_ctx, k + 1, src->count);
     }
-    stats->facets = stats->edges = d.segments;
-    stats->tests = d.horizons.count.tests;
-    stats->crossings = d.horizons.count.crossings;
-    stats->pieces = d.runs.pieces;
-    stats->peak_upper = d.horizons.upper.peak;
-    stats->peak_lower = infinite ? 0 : d.horizons.lower.peak;
-    stats->bytes = (size_t)(stats->peak_upper + stats->peak_lower) * sizeof(pencil_t);
+    stats->facets = stats->edges = d->segments;
+    stats->tests = d->horizons.count.tests;
+    stats->crossings = d->horizons.count.crossings;
+    stats->pieces = d->runs.pieces;
+    stats->peak_upper = d->horizons.upper.peak;
+    stats->peak_lower = infinite ? 0 : d->horizons.lower.peak;
+    stats->bytes = (size_t)(stats->peak_upper + stats->peak_lower) * sizeof(pencil_t) + HIDDEN_LENT(drawing_t);
     return err;
 }

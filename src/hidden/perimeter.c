@@ -10,6 +10,7 @@
 #include "hidden/corner.h"
 #include "hidden/holes.h"
 #include "hidden/shaded.h"
+#include <string.h>
 
 /* Two of its edges are new, the column `out` and the row `far`. */
 static int corner_facet(sweep_t *s, int32_t i, int far, bool rightward) {
@@ -84,11 +85,11 @@ static int facets_row(sweep_t *s, int far, bool fresh) {
 }
 
 size_t perimeter_bytes(int32_t nx, int32_t vertices) {
-    return sweep_bytes(nx, 1, true) + (size_t)vertices * sizeof(pencil_t);
+    return HIDDEN_LENT(sweep_t) + sweep_bytes(nx, 1, true) + (size_t)vertices * sizeof(pencil_t);
 }
 
 size_t perimeter_bytes_least(int32_t nx, int32_t vertices) {
-    return sweep_bytes(nx, 1, false) + (size_t)vertices * sizeof(pencil_t);
+    return HIDDEN_LENT(sweep_t) + sweep_bytes(nx, 1, false) + (size_t)vertices * sizeof(pencil_t);
 }
 
 static bool same_points(const grid_t *a, const grid_t *b) {
@@ -105,13 +106,20 @@ static bool same_points(const grid_t *a, const grid_t *b) {
 
 static int draw(grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job, struct shaded *shaded,
                 hidden_stats_t *stats) {
-    sweep_t s = {0};
     int64_t evaluated = 0;
     const bool several = n > 1 && CONFIG_PLOT_ITEMS > 1; /* else it need not be there */
     const bool windows = n > 1 || grid[0]->holes > 0;
     const int32_t strips = windows || job->strips < 2 ? 1 : job->strips;
     const enum edges_cover cover = windows ? COVER_WINDOWS : strips > 1 ? COVER_STRIP : COVER_HORIZONS;
     *stats = (hidden_stats_t){0};
+#if CONFIG_WAITING > 0
+    hidden_job_t rest = *job;
+    sweep_t *s = hidden_lend(&rest, sizeof *s);
+    if (s == NULL) return ERR_FULL;
+    job = &rest;
+#else
+    sweep_t own, *s = &own;
+#endif
     if (n > 1 && !several) return ERR_UNSUPPORTED;
     for (int32_t k = 0; k < n; k++) {
         if (k > 0 && !same_points(grid[0], grid[k])) return ERR_UNSUPPORTED;
@@ -120,16 +128,19 @@ static int draw(grid_t *const grid[], int32_t n, const camera_t *cam, const hidd
     const sweep_row_t row = several ? cells_row : windows ? holes_row : facets_row;
     int err = 0;
     for (int32_t k = 0; k < strips && err == 0; k++) {
-        s = (sweep_t){.number = k, .strips = strips};
-        err = sweep_init(&s, grid, n, cam, job, cover);
+        memset(s, 0, sizeof *s);
+        s->number = k;
+        s->strips = strips;
+        err = sweep_init(s, grid, n, cam, job, cover);
 #if CONFIG_AREA
-        s.shaded = shaded;
+        s->shaded = shaded;
 #else
         (void)shaded;
 #endif
-        if (err == 0) err = sweep_all(&s, job, row);
-        if (s.layer != NULL) sweep_account(&s, stats);
+        if (err == 0) err = sweep_all(s, job, row);
+        if (s->layer != NULL) sweep_account(s, stats);
     }
+    stats->bytes += HIDDEN_LENT(sweep_t);
     for (int32_t k = 0; k < n; k++) evaluated += grid[k]->evaluated;
     stats->evaluated = evaluated;
     return err;

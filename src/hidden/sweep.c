@@ -13,6 +13,8 @@
 #define OTHER_BYTES (2 * sizeof(shade_t) + sizeof(edges_sheet_t) + WINDOWS_SPANS * sizeof(windows_span_t))
 #define OTHERS_BYTES(n) ((n) > 1 ? (size_t)(n)*OTHER_BYTES + WINDOWS_PARTS * sizeof(windows_part_t) : 0)
 
+#define OUTLINE_EDGES 4 /* lines of a facet where every edge is one */
+
 typedef struct lender {
     uint8_t *mem;
     size_t left;
@@ -50,7 +52,7 @@ static void lay_out(layer_t *l, lender_t *from, size_t nx, bool around, bool win
     if (windows) {
         l->column_done = lend(from, nx);
         l->kept_done = lend(from, nx);
-        l->outline = lend(from, OUTLINE_LINES * sizeof(outline_line_t));
+        l->outline = lend(from, (around ? OUTLINE_LINES : OUTLINE_EDGES) * sizeof(outline_line_t));
     }
 }
 

@@ -29,7 +29,7 @@ typedef struct layer {
     /* Only with windows: which edges have been clipped, of line[0] and line[1], of the columns between them, and of the
      * eye's row, for the way down. */
     uint8_t *row_done[2], *column_done, *kept_done;
-    outline_line_t *outline; /* of the facet at hand: OUTLINE_LINES */
+    outline_line_t *outline; /* of the facet at hand: OUTLINE_LINES, or its edges where each is one line */
     int32_t lines;
     bool present;         /* it has a facet in the cell at hand */
     windows_span_t *span; /* several surfaces: of that facet */

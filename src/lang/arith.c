@@ -32,16 +32,22 @@ static bool multiply(int64_t a, int64_t b, int64_t *product) {
     return true;
 }
 
-static const char *integer_power(value_t *a, int64_t n) {
-    int64_t base = a->m, result = 1, left = n;
-    if (base == 0 && n < 0) return ARITH_UNDEFINED;
-    bool fits = n >= 0;
-    while (fits && left) {
-        if (left & 1) fits = multiply(result, base, &result);
-        left >>= 1;
-        if (fits && left) fits = multiply(base, base, &base);
+/* a**n as an integer, if that fits. */
+static bool integer_product(int64_t base, int64_t n, int64_t *result) {
+    *result = 1;
+    if (n < 0) return false;
+    while (n) {
+        if ((n & 1) && !multiply(*result, base, result)) return false;
+        n >>= 1;
+        if (n && !multiply(base, base, &base)) return false;
     }
-    if (fits) {
+    return true;
+}
+
+static const char *integer_power(value_t *a, int64_t n) {
+    int64_t result;
+    if (a->m == 0 && n < 0) return ARITH_UNDEFINED;
+    if (integer_product(a->m, n, &result)) {
         *a = value_int(result);
         return NULL;
     }
@@ -127,7 +133,6 @@ static int64_t compare(uint8_t op, int sign) {
 }
 
 static const char *real_power(value_t *a, value_t b) {
-    if (b.kind == VALUE_INT && is_small(b.m)) return arith_power(a, (int32_t)b.m);
     if (a->kind == VALUE_UNDEF || b.kind == VALUE_UNDEF) {
         *a = value_undef();
         return NULL;
@@ -139,6 +144,22 @@ static const char *real_power(value_t *a, value_t b) {
         if (ok && is_small(k)) return store(a, num_ipow(base, (int32_t)k));
     }
     return store(a, func_pow(base, n));
+}
+
+static const char *real_binary(uint8_t op, value_t *a, value_t b) {
+    bool nan = a->kind == VALUE_UNDEF || b.kind == VALUE_UNDEF;
+    num_t x = value_num(*a), y = value_num(b);
+    if (op >= OP_LT) {
+        *a = value_int(compare(op, nan ? 2 : num_cmp(x, y)));
+        return NULL;
+    }
+    if (nan) {
+        *a = value_undef();
+        return NULL;
+    }
+    if (op == OP_SUB) y = num_neg(y);
+    if (op == OP_MUL) return store(a, num_double_mul(x, y));
+    return store(a, op == OP_DIV ? num_double_div(x, y) : num_double_add(x, y));
 }
 
 const char *arith_binary(uint8_t op, value_t *a, value_t b) {
@@ -155,23 +176,10 @@ const char *arith_binary(uint8_t op, value_t *a, value_t b) {
     case OP_BOR:
         return NOT_BOOLEAN;
     case OP_POW:
-        return real_power(a, b);
+        return b.kind == VALUE_INT && is_small(b.m) ? arith_power(a, (int32_t)b.m) : real_power(a, b);
     default:
-        break;
+        return real_binary(op, a, b);
     }
-    bool nan = a->kind == VALUE_UNDEF || b.kind == VALUE_UNDEF;
-    num_t x = value_num(*a), y = value_num(b);
-    if (op >= OP_LT) {
-        *a = value_int(compare(op, nan ? 2 : num_cmp(x, y)));
-        return NULL;
-    }
-    if (nan) {
-        *a = value_undef();
-        return NULL;
-    }
-    if (op == OP_SUB) y = num_neg(y);
-    if (op == OP_MUL) return store(a, num_double_mul(x, y));
-    return store(a, op == OP_DIV ? num_double_div(x, y) : num_double_add(x, y));
 }
 
 static const char *factorial(value_t *a) {

@@ -16,7 +16,7 @@ static int64_t inner_argument(num_t x) {
 
 /* Hankel's P and x Q belong to s + c and s - c because chi is a multiple of pi/4 off the argument; these are turned
  * round for J1. Apart from outer(), so that its frame is not on the stack while sines are computed. */
-static num_t outer_sum(num_t x, const num_t *sine, const num_t *cosine, bool one) {
+static __attribute__((noinline)) num_t outer_sum(num_t x, const num_t *sine, const num_t *cosine, bool one) {
     num_t part = num_div(num_from_i64(8), x);
     const int64_t t = num_to_fixed(num_mul(part, part), 63, NULL) - ((int64_t)1 << 62);
     const num_t plus = num_add(*sine, *cosine), minus = num_sub(*sine, *cosine);
@@ -28,7 +28,7 @@ static num_t outer_sum(num_t x, const num_t *sine, const num_t *cosine, bool one
     return num_mul(q, part);
 }
 
-static num_t outer(num_t x, bool one) {
+static __attribute__((noinline)) num_t outer(num_t x, bool one) {
     num_t s, c;
     func_sincos(x, &s, &c);
     return outer_sum(x, &s, &c, one);
@@ -44,10 +44,13 @@ num_t func_besj0(num_t a) {
     return is_inner(x) ? FUNC_CHEBYSHEV(func_tables_j0, inner_argument(x)) : outer(x, false);
 }
 
+static __attribute__((noinline)) num_t inner_j1(num_t x) {
+    return num_mul(x, FUNC_CHEBYSHEV(func_tables_j1, inner_argument(x)));
+}
+
 num_t func_besj1(num_t a) {
     if (a.m == 0) return a;
-    const num_t x = num_abs(a);
-    if (is_inner(x)) return num_mul(a, FUNC_CHEBYSHEV(func_tables_j1, inner_argument(x)));
-    const num_t r = outer(x, true);
+    num_t r = num_abs(a);
+    r = is_inner(r) ? inner_j1(r) : outer(r, true);
     return a.m < 0 ? num_neg(r) : r;
 }

@@ -15,28 +15,37 @@ static num_t erf_inner(num_t x) {
     return num_mul(x, FUNC_CHEBYSHEV(func_tables_erf, 2 * z - ((int64_t)1 << 62)));
 }
 
-/* erfc(x) for x >= 1; x2 is x^2, given apart because exp() magnifies its rounding. */
-static num_t erfc_outer(num_t x, num_t x2) {
+/* erfc(x) for x >= 1; exp_x2 is exp(-x^2), by the caller: exp() magnifies the rounding of x^2, and takes stack. */
+static __attribute__((noinline)) num_t erfc_outer(num_t x, const num_t *exp_x2) {
     if (x.e > -57) return num_from_i64(0); /* x >= 64: below 2^-5900 */
     num_t w = num_div(num_from_i64(1), num_add(x, num_from_fixed(5, 1)));
     int64_t t = ((int64_t)1 << 62) - num_to_fixed(num_mul(w, num_from_i64(7)), 62, NULL);
-    return num_mul(num_mul(func_exp(num_neg(x2)), w), FUNC_CHEBYSHEV(func_tables_erfc, t));
+    return num_mul(num_mul(*exp_x2, w), FUNC_CHEBYSHEV(func_tables_erfc, t));
 }
 
 num_t func_erf(num_t a) {
     if (a.m == 0) return a;
     num_t x = num_abs(a), one = num_from_i64(1), r = one;
     if (x.e < -62) return erf_inner(a);
-    if (x.e < -59) r = num_sub(one, erfc_outer(x, num_mul(x, x))); /* from 8 on it is 1 to 2^-95 */
+    if (x.e < -59) { /* from 8 on it is 1 to 2^-95 */
+        r = func_exp(num_neg(num_mul(x, x)));
+        r = num_sub(one, erfc_outer(x, &r));
+    }
     return a.m < 0 ? num_neg(r) : r;
+}
+
+static __attribute__((noinline)) num_t root_of_half(num_t a) {
+    return num_mul(num_abs(a), num_sqrt(num_from_fixed(1, 1)));
+}
+
+static __attribute__((noinline)) num_t erfc_inner(num_t x) {
+    return num_sub(num_from_i64(1), erf_inner(x));
 }
 
 num_t func_norm(num_t a) {
     if (a.undef) return a;
-    num_t one = num_from_i64(1), x = num_mul(num_abs(a), num_sqrt(num_from_fixed(1, 1)));
-    num_t tail = x.m == 0 || x.e < -62 ? num_sub(one, erf_inner(x))
-                 : x.e > -57           ? num_from_i64(0)
-                                       : erfc_outer(x, num_ldexp(num_mul(a, a), -1));
-    tail = num_ldexp(tail, -1);
-    return a.m < 0 ? tail : num_sub(one, tail);
+    num_t r = func_exp(num_ldexp(num_neg(num_mul(a, a)), -1));
+    const num_t x = root_of_half(a);
+    r = num_ldexp(x.m == 0 || x.e < -62 ? erfc_inner(x) : erfc_outer(x, &r), -1);
+    return a.m < 0 ? r : num_sub(num_from_i64(1), r);
 }

@@ -5,30 +5,60 @@
  * x - e / (1 + x e / 2), and its error grows with the third power. */
 #include "num/func.h"
 
-/* For 0 < p <= 1/2: x <= 0. */
-static num_t lower_half(num_t p) {
-    num_t one = num_from_i64(1);
-    num_t t = num_sqrt(num_ldexp(num_neg(func_log(p)), 1));
+/* x <= 0 for p <= 1/2, t = sqrt(-2 log p). */
+static __attribute__((noinline)) num_t first_guess(num_t t) {
     num_t top = num_from_decimal(10328, -6), bottom = num_from_decimal(1308, -6);
     top = num_add(num_mul(top, t), num_from_decimal(802853, -6));
     top = num_add(num_mul(top, t), num_from_decimal(2515517, -6));
     bottom = num_add(num_mul(bottom, t), num_from_decimal(189269, -6));
     bottom = num_add(num_mul(bottom, t), num_from_decimal(1432788, -6));
-    bottom = num_add(num_mul(bottom, t), one);
-    num_t x = num_sub(num_div(top, bottom), t);
-    num_t root = num_sqrt(num_ldexp(func_pi(), 1));
-    for (int i = 0; i < 2; i++) {
-        num_t slope_inverse = num_mul(root, func_exp(num_ldexp(num_mul(x, x), -1)));
-        num_t e = num_mul(num_sub(func_norm(x), p), slope_inverse);
-        x = num_sub(x, num_div(e, num_add(one, num_ldexp(num_mul(x, e), -1))));
-    }
+    bottom = num_add(num_mul(bottom, t), num_from_i64(1));
+    return num_sub(num_div(top, bottom), t);
+}
+
+/* x - e / (1 + x e / 2), where norm is that of x and e2 is exp(x^2 / 2). */
+static __attribute__((noinline)) num_t step(num_t x, num_t p, const num_t *norm, const num_t *e2) {
+    const num_t root = num_sqrt(num_ldexp(func_pi(), 1));
+    const num_t e = num_mul(num_sub(*norm, p), num_mul(root, *e2));
+    return num_sub(x, num_div(e, num_add(num_from_i64(1), num_ldexp(num_mul(x, e), -1))));
+}
+
+/* In small functions, as they have the largest frames of all that expressions call. */
+static __attribute__((noinline)) num_t improved(num_t x, num_t p) {
+    const num_t norm = func_norm(x);
+    const num_t e2 = func_exp(num_ldexp(num_mul(x, x), -1));
+    return step(x, p, &norm, &e2);
+}
+
+static __attribute__((noinline)) num_t root_of_log(num_t p) {
+    return num_sqrt(num_ldexp(num_neg(func_log(p)), 1));
+}
+
+static __attribute__((noinline)) num_t start(num_t p) {
+    return first_guess(root_of_log(p));
+}
+
+static __attribute__((noinline)) num_t lower_half(num_t p) {
+    num_t x = start(p);
+    for (int i = 0; i < 2; i++) x = improved(x, p);
     return x;
 }
 
+/* Above (1), on (0) or below (-1) the middle of the range; 2 outside. */
+static __attribute__((noinline)) int side_of(num_t a) {
+    if (a.undef || a.m <= 0 || num_cmp(a, num_from_i64(1)) >= 0) return 2;
+    return num_cmp(a, num_from_fixed(1, 1));
+}
+
+static __attribute__((noinline)) num_t one_less(num_t a) {
+    return num_sub(num_from_i64(1), a);
+}
+
 num_t func_invnorm(num_t a) {
-    num_t one = num_from_i64(1), half = num_from_fixed(1, 1);
-    if (a.undef || num_sign(a) <= 0 || num_cmp(a, one) >= 0) return num_undef();
-    int side = num_cmp(a, half);
+    const int side = side_of(a);
+    if (side == 2) return num_undef();
     if (side == 0) return num_from_i64(0);
-    return side < 0 ? lower_half(a) : num_neg(lower_half(num_sub(one, a)));
+    if (side > 0) a = one_less(a);
+    a = lower_half(a);
+    return side > 0 ? num_neg(a) : a;
 }

@@ -33,9 +33,8 @@ static bool is_odd(num_t b) {
     return b.e <= 0 && b.e > -63 && (ints_abs64(b.m) >> -b.e & 1) != 0;
 }
 
-num_t func_pow(num_t a, num_t b) {
-    /* 1 <= |b| < 128 and whole: its low -e bits are zero */
-    if (b.e <= -56 && b.e >= -62 && (b.m & (((int64_t)1 << -b.e) - 1)) == 0) return num_ipow(a, (int32_t)(b.m >> -b.e));
+/* Any but a small whole b. */
+static num_t power(num_t a, num_t b) {
     if (a.undef || b.undef) return num_undef();
     if (b.m == 0) return num_from_i64(1);
     if (a.m == 0) return b.m > 0 ? a : num_undef();
@@ -46,4 +45,10 @@ num_t func_pow(num_t a, num_t b) {
     }
     num_t r = func_exp_wide(scaled(func_log_wide(num_abs(a)), b));
     return a.m < 0 && is_odd(b) ? num_neg(r) : r;
+}
+
+num_t func_pow(num_t a, num_t b) {
+    /* 1 <= |b| < 128 and whole: its low -e bits are zero */
+    if (b.e <= -56 && b.e >= -62 && (b.m & (((int64_t)1 << -b.e) - 1)) == 0) return num_ipow(a, (int32_t)(b.m >> -b.e));
+    return power(a, b);
 }

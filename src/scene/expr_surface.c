@@ -60,17 +60,31 @@ static size_t lend_anywhere(void *ctx, void *mem, size_t bytes) {
     return used;
 }
 
-static num_t z_at(void *ctx, num_t x, num_t y) {
-    expr_grid_t *g = ctx;
-    if (g->hoist && g->hoist->anywhere) {
-        value_t v;
-        if (!hoist_has_column(g->hoist, 0, x)) note_error(g->source, hoist_column(g->hoist, 0, x));
-        if (!hoist_has_row(g->hoist, y)) note_error(g->source, hoist_row(g->hoist, y));
-        note_error(g->source, hoist_point(g->hoist, 0, &v));
-        return value_num(v);
-    }
+static __attribute__((noinline)) num_t z_anywhere(const expr_grid_t *g, num_t x, num_t y) {
+    value_t v;
+    if (!hoist_has_column(g->hoist, 0, x)) note_error(g->source, hoist_column(g->hoist, 0, x));
+    if (!hoist_has_row(g->hoist, y)) note_error(g->source, hoist_row(g->hoist, y));
+    note_error(g->source, hoist_point(g->hoist, 0, &v));
+    return value_num(v);
+}
+
+/* Inline, for the stack. */
+static inline __attribute__((always_inline)) num_t z_there(const expr_grid_t *g, num_t x, num_t y) {
+    if (g->hoist && g->hoist->anywhere) return z_anywhere(g, x, y);
     num_t at[2] = {x, y};
     return evaluate(g->source, at, 2);
+}
+
+static num_t z_at(void *ctx, num_t x, num_t y) {
+    return z_there(ctx, x, y);
+}
+
+static __attribute__((noinline)) num_t z_hoisted(const expr_grid_t *g, int32_t i) {
+    expr_source_t *s = g->source;
+    value_t v;
+    if (s->random) seed_for(s, (num_t[]){hoist_x(g->hoist, i), g->row_y}, 2);
+    note_error(s, hoist_point(g->hoist, i, &v));
+    return value_num(v);
 }
 
 static num_t z_of(void *ctx, int32_t i, int32_t j) {
@@ -81,11 +95,8 @@ static num_t z_of(void *ctx, int32_t i, int32_t j) {
         g->row_y = place(g, 1, j);
         if (g->hoist && !g->hoist->anywhere) note_error(s, hoist_row(g->hoist, g->row_y));
     }
-    if (!g->hoist || g->hoist->anywhere) return z_at(ctx, place(g, 0, i), g->row_y);
-    value_t v;
-    if (s->random) seed_for(s, (num_t[]){hoist_x(g->hoist, i), g->row_y}, 2);
-    note_error(s, hoist_point(g->hoist, i, &v));
-    return value_num(v);
+    if (!g->hoist || g->hoist->anywhere) return z_there(g, place(g, 0, i), g->row_y);
+    return z_hoisted(g, i);
 }
 
 const surface_anywhere_t EXPR_SURFACE_ANYWHERE = {z_at, lend_anywhere};

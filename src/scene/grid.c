@@ -45,7 +45,7 @@ static inline int64_t units(int64_t d, int32_t e, int32_t exp) {
 }
 
 /* The height at a point, whatever the limits. */
-static num_t raw(grid_t *g, int32_t i, int32_t j) {
+static inline __attribute__((always_inline)) num_t raw(grid_t *g, int32_t i, int32_t j) {
     g->evaluated++;
     return g->src->z_of(g->src->ctx, i, j);
 }

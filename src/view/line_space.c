@@ -42,17 +42,21 @@ static bool is_near(int32_t a, int32_t b) {
     return d >= -CLAMP_LAT && d <= CLAMP_LAT;
 }
 
-/* A point close to the eye. Apart from line_space_point, on whose way little of the stack may be left. */
-static __attribute__((noinline)) bool exact_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t,
-                                                  page_point_t *out) {
-    num_t h[3];
-    if (!s->exact(s->ctx, family, line, t, h) || num_sign(h[2]) <= 0) return false;
+static __attribute__((noinline)) bool exact_divide(const num_t h[3], page_point_t *out) {
     bool fits = true;
     const int64_t x = num_to_fixed(num_div(h[0], h[2]), 0, &fits), y = num_to_fixed(num_div(h[1], h[2]), 0, &fits);
     const int64_t most = 1 << 25; /* beyond any paper */
     if (!fits || x > most || x < -most || y > most || y < -most) return false;
     *out = (page_point_t){(int32_t)x, (int32_t)y};
     return true;
+}
+
+/* A point close to the eye. Apart from line_space_point and from what follows, as little of the stack may be left where
+ * it is evaluated. */
+static __attribute__((noinline)) bool exact_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t,
+                                                  page_point_t *out) {
+    num_t h[3];
+    return s->exact(s->ctx, family, line, t, h) && num_sign(h[2]) > 0 && exact_divide(h, out);
 }
 
 bool line_space_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t, page_point_t *out) {

@@ -51,23 +51,32 @@ static page_h_t value_share(const page_map_t *m, num_t z) {
     return to_h(m, v);
 }
 
-/* A vertex whose height is evaluated. */
-static bool tall_vertex_h(page_map_t *m, int32_t i, int32_t j, page_h_t *h) {
-    num_t z;
-    if (!grid_value(m->grid, i, j, &z)) return false;
+static __attribute__((noinline)) void tall_vertex_at(const page_map_t *m, int32_t i, int32_t j, num_t z, page_h_t *h) {
     page_h_t b = base_h(m, i, j), s = value_share(m, z);
     *h = (page_h_t){b.x + s.x, b.y + s.y, b.e + s.e};
+}
+
+/* A vertex whose height is evaluated. Little is on the stack while heights are: here and below what follows is done
+ * apart. */
+static __attribute__((noinline)) bool tall_vertex_h(page_map_t *m, int32_t i, int32_t j, page_h_t *h) {
+    num_t z;
+    if (!grid_value(m->grid, i, j, &z)) return false;
+    tall_vertex_at(m, i, j, z, h);
     return true;
+}
+
+static __attribute__((noinline)) void vertex_at(const page_map_t *m, int32_t i, int32_t j, int32_t zi, page_h_t *h) {
+    page_h_t b = base_h(m, i, j);
+    h->x = b.x + height_share(m, 0, zi);
+    h->y = b.y + height_share(m, 1, zi);
+    h->e = b.e + height_share(m, 2, zi);
 }
 
 static inline bool vertex_h(page_map_t *m, int32_t i, int32_t j, page_h_t *h) {
     int32_t zi;
     if (m->tall) return tall_vertex_h(m, i, j, h);
     if (!grid_height(m->grid, i, j, &zi)) return false;
-    page_h_t b = base_h(m, i, j);
-    h->x = b.x + height_share(m, 0, zi);
-    h->y = b.y + height_share(m, 1, zi);
-    h->e = b.e + height_share(m, 2, zi);
+    vertex_at(m, i, j, zi, h);
     return true;
 }
 
@@ -117,7 +126,6 @@ static __attribute__((noinline)) void exact_between(const page_map_t *m, bool ro
     camera_project(m->cam, p, h);
 }
 
-/* Little is on the stack while heights are evaluated. */
 static bool exact_at(void *ctx, uint8_t family, int32_t line, int64_t t, num_t h[3]) {
     const page_map_t *m = ctx;
     const bool row = family == INK_ROW;
