@@ -12,7 +12,7 @@ JOBS     ?= $(shell nproc 2>/dev/null || echo 1)
 again     = $(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS))
 
 WARN     := -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes
-OPT      ?= -O2 -g
+OPT      ?= -O3 -g
 SANITIZE ?=
 CFLAGS   += -std=c11 $(WARN) $(OPT) $(SANITIZE) -MMD -MP
 CPPFLAGS += -Isrc -I. -D_DEFAULT_SOURCE
