@@ -1,7 +1,7 @@
 /* Seeded random scenes of solids, drawn by the area sort and judged against rays, with eyes in the midst of them and
  * faces that cut through each other. Only where bodies on a lattice do that, edges lie in the very lines in which faces
- * cut, which are not drawn and which the reference sees: those scenes are left out. RIDGELINE_CASES=100 tries a hundred
- * times as many; RIDGELINE_SEED=n tries one. */
+ * cut, which are not drawn and which the reference sees: in those scenes it is judged that nothing hidden is drawn.
+ * RIDGELINE_CASES=100 tries a hundred times as many; RIDGELINE_SEED=n tries one. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,7 +13,7 @@
 #include "tests/oracle/solid_cases.h"
 
 typedef struct account {
-    int left_out, behind, cut;
+    int half_judged, behind, cut;
 } account_t;
 
 static enum solid_verdict judge(void *ctx, const solid_scene_t *s, judge_report_t *r) {
@@ -21,8 +21,9 @@ static enum solid_verdict judge(void *ctx, const solid_scene_t *s, judge_report_
     area_stats_t area = {0};
     bool good = solid_scene_judge_area(s, r, &area);
     if (area.intersections && s->lattice) {
-        a->left_out++;
-        return SOLID_LEFT_OUT;
+        a->half_judged++;
+        r->missing_mm = r->end_steps = 0;
+        good = r->false_mm <= CASES_RUN_MM && r->twice_mm <= CASES_TWICE_MM;
     }
     a->behind += area.behind;
     a->cut += area.intersections > 0;
@@ -33,8 +34,8 @@ static int run(const char *name, uint64_t first, uint64_t count, int objects) {
     cases_t c = {.name = name, .program = "test_area_random"};
     account_t a = {0};
     int failed = solid_cases_random(&c, first, count, objects, judge, &a);
-    print_message("# %s: in %d something is behind the eye, in %d faces cut through each other; %d left out\n", name,
-                  a.behind, a.cut, a.left_out);
+    print_message("# %s: in %d something is behind the eye, in %d faces cut through each other, in %d of these on lattices\n",
+                  name, a.behind, a.cut, a.half_judged);
     return failed;
 }
 
