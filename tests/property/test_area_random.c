@@ -34,8 +34,9 @@ static int run(const char *name, uint64_t first, uint64_t count, int objects) {
     cases_t c = {.name = name, .program = "test_area_random"};
     account_t a = {0};
     int failed = solid_cases_random(&c, first, count, objects, judge, &a);
-    print_message("# %s: in %d something is behind the eye, in %d faces cut through each other, in %d of these on lattices\n",
-                  name, a.behind, a.cut, a.half_judged);
+    print_message(
+        "# %s: in %d something is behind the eye, in %d faces cut through each other, in %d of these on lattices\n",
+        name, a.behind, a.cut, a.half_judged);
     return failed;
 }
 
