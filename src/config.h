@@ -156,6 +156,10 @@ _Static_assert(CONFIG_PARTS >= 64 && CONFIG_PARTS <= 4096, "lang/parts.h, lang/h
 #ifndef CONFIG_STEP_RATE
 #define CONFIG_STEP_RATE 0
 #endif
+/* Steps a second squared that the main loop keeps up with, as near rest every step is planned by itself; 0: any. */
+#ifndef CONFIG_STEP_ACCEL
+#define CONFIG_STEP_ACCEL 0
+#endif
 #ifndef CONFIG_SPEED_UM_S
 #define CONFIG_SPEED_UM_S 100000
 #endif
