@@ -321,6 +321,7 @@ void judge_worst(judge_report_t *all, const judge_report_t *one) {
     all->raw_missing_mm = fmax(all->raw_missing_mm, one->raw_missing_mm);
     all->raw_false_mm = fmax(all->raw_false_mm, one->raw_false_mm);
     all->twice_mm = fmax(all->twice_mm, one->twice_mm);
+    all->moved_steps = fmax(all->moved_steps, one->moved_steps);
     all->ink_mm += one->ink_mm;
     all->visible_mm += one->visible_mm;
 }

@@ -46,8 +46,9 @@ typedef struct judge_spot {
 typedef struct judge_report {
     double missing_mm, false_mm;
     double raw_missing_mm, raw_false_mm;
-    double twice_mm;  /* longest run drawn more than once */
-    double end_steps; /* largest displacement of an end of ink, along the line or by what move across explains it */
+    double twice_mm;    /* longest run drawn more than once */
+    double end_steps;   /* largest displacement of an end of ink, along the line or by what move across explains it */
+    double moved_steps; /* not judged: how far the rounding of vertices moves an end on the page, if measured */
     double ink_mm, visible_mm;          /* sums */
     judge_spot_t missing, falsely, end; /* where the worst is (to: not used for end) */
 } judge_report_t;

@@ -113,6 +113,7 @@ void cases_summary(const cases_t *c) {
         "twice %.4f mm",
         c->name, (long long)c->run, (long long)c->facets, w->ink_mm / 1000, w->missing_mm / JUDGE_STEP_MM,
         w->false_mm / JUDGE_STEP_MM, w->end_steps, w->twice_mm);
+    if (w->moved_steps >= .005) printf("; rounding the vertices moves ends by up to %.2f steps", w->moved_steps);
     printf("\n");
     fflush(stdout);
 }

@@ -14,7 +14,8 @@ static void world(const solid_t *s, int32_t v, double out[3]) {
     for (int k = 0; k < 3; k++) out[k] = num_value(s->origin[k]) + ldexp(s->vertex[v].at[k], -s->shift);
 }
 
-/* How far the rounding of vertices moves the end of a piece. */
+/* How far the rounding of vertices moves the end of a piece: much where an edge comes within lattice units of the eye,
+ * through which one may even pass. It moves the scene, so that the kernel is not judged by it. */
 static void measure_moved(solid_ink_t *i, const double a[3], const double b[3], int edge, bool turned, double t) {
     const exact_point_t *p = &i->ref->vertex[i->ref->edge[edge][turned]],
                         *q = &i->ref->vertex[i->ref->edge[edge][!turned]];
@@ -179,7 +180,7 @@ int solid_stage_judge(solid_stage_t *t, const solid_scene_t *s, int every, judge
         if (!every) solid_ink_share(&ink);
         what.every = every;
         *good = judge_pieces(&what, &view, ink.piece, ink.n, out) == 0 && ink.lost == 0 && cases_good(out);
-        out->end_steps = fmax(out->end_steps, ink.moved);
+        out->moved_steps = ink.moved;
     }
     free(ink.piece);
     return err;

@@ -216,6 +216,16 @@ static int ray(const solid_ref_t *r, vec_t p, const exact_point_t own[2]) {
     return result;
 }
 
+/* Cuts the segment where it passes the planes through the eye and a border of face f. */
+static void cut_at_borders(cuts_t *c, const solid_ref_t *r, int f, const exact_point_t at[2]) {
+    for (int k = r->first[f]; k < r->first[f + 1]; k++) {
+        exact_point_t p = r->vertex[r->corner[k]],
+                      q = r->vertex[r->corner[k + 1 < r->first[f + 1] ? k + 1 : r->first[f]]];
+        vec_t m = cross(sub(q, p), to_eye(r, (vec_t){p.x, p.y, p.z}));
+        cut(c, dot(m, sub(at[0], p)), dot(m, sub(at[1], p)));
+    }
+}
+
 void solid_ref_hidden(const solid_ref_t *r, const exact_point_t at[2], const exact_point_t own[2], spans_t *hidden,
                       spans_t *either) {
     static cuts_t c;
@@ -228,12 +238,7 @@ void solid_ref_hidden(const solid_ref_t *r, const exact_point_t at[2], const exa
         if (!plane(r, f, &n)) continue;
         exact_point_t o = r->vertex[r->corner[r->first[f]]];
         cut(&c, dot(n, sub(at[0], o)), dot(n, sub(at[1], o)));
-        for (int k = r->first[f]; k < r->first[f + 1]; k++) {
-            exact_point_t p = r->vertex[r->corner[k]],
-                          q = r->vertex[r->corner[k + 1 < r->first[f + 1] ? k + 1 : r->first[f]]];
-            vec_t m = cross(sub(q, p), to_eye(r, (vec_t){p.x, p.y, p.z}));
-            cut(&c, dot(m, sub(at[0], p)), dot(m, sub(at[1], p)));
-        }
+        cut_at_borders(&c, r, f, at);
     }
     qsort(c.t, (size_t)c.n, sizeof c.t[0], by_value);
     spans_clear(hidden);
@@ -259,12 +264,7 @@ void solid_ref_beside(const solid_ref_t *r, int f, const exact_point_t at[2], sp
     c.n = 0;
     c.t[c.n++] = 0;
     c.t[c.n++] = 1;
-    for (int k = r->first[f]; k < r->first[f + 1]; k++) {
-        exact_point_t p = r->vertex[r->corner[k]],
-                      q = r->vertex[r->corner[k + 1 < r->first[f + 1] ? k + 1 : r->first[f]]];
-        vec_t m = cross(sub(q, p), to_eye(r, (vec_t){p.x, p.y, p.z}));
-        cut(&c, dot(m, sub(at[0], p)), dot(m, sub(at[1], p)));
-    }
+    cut_at_borders(&c, r, f, at);
     qsort(c.t, (size_t)c.n, sizeof c.t[0], by_value);
     for (int k = 0; k + 1 < c.n; k++) {
         const long double t = (c.t[k] + c.t[k + 1]) / 2;

@@ -69,7 +69,7 @@ static void solids(row_t *w, const solid_scene_t *s, bool area, int every) {
         w->elements += area ? t.sorted.polygons : t.stats.edges;
         w->missing = fmax(w->missing, r.missing_mm / JUDGE_STEP_MM);
         w->falsely = fmax(w->falsely, r.false_mm / JUDGE_STEP_MM);
-        w->end = fmax(w->end, r.end_steps);
+        w->end = fmax(w->end, fmax(r.end_steps, r.moved_steps));
         for (int k = 0; k < 4; k++) w->work[k] += work[area][k];
         if (t.stats.bytes > w->bytes) w->bytes = t.stats.bytes;
         w->seconds += least(draw_solids, &t, w->scenes > 1 ? .005 : .2);
