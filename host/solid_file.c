@@ -9,6 +9,7 @@
 #include <strings.h>
 
 #include "host/progress.h"
+#include "scene/obj_reader.h"
 
 typedef struct text {
     const char *name;
@@ -37,7 +38,7 @@ static bool complain(const text_t *t, const char *what) {
     return false;
 }
 
-/* The next word, of at most 63 characters; false at the end. comments: from # to the end of the line. */
+/* The next word, of which 63 characters are kept; false at the end. comments: from # to the end of the line. */
 static bool word(text_t *t, char out[64], bool comments) {
     for (; t->at < t->n; t->at++) {
         char c = t->bytes[t->at];
@@ -48,7 +49,8 @@ static bool word(text_t *t, char out[64], bool comments) {
     }
     t->word_at = t->at;
     size_t k = 0;
-    while (t->at < t->n && !isspace((unsigned char)t->bytes[t->at]) && k < 63) out[k++] = t->bytes[t->at++];
+    for (; t->at < t->n && !isspace((unsigned char)t->bytes[t->at]); t->at++)
+        if (k < 63) out[k++] = t->bytes[t->at];
     out[k] = 0;
     return k > 0;
 }
@@ -57,11 +59,15 @@ static void rest_of_line(text_t *t) {
     while (t->at < t->n && t->bytes[t->at] != '\n') t->at++;
 }
 
+/* A number as it is written, as long as the reader of OBJ takes it. */
 static bool number(text_t *t, char out[64]) {
     char *end;
     if (!word(t, out, true)) return complain(t, "the file ends where a number should be");
-    const double v = strtod(out, &end);
-    if (*end || !isfinite(v) || out[strspn(out, "+-.0123456789eE")]) return complain(t, "not a number");
+    if (out[strspn(out, "+-.0123456789eE")]) return complain(t, "not a number");
+    const double v = strtod(t->bytes + t->word_at, &end);
+    if (end != t->bytes + t->at) return complain(t, "not a number");
+    if (!isfinite(v)) return complain(t, "this number is too large");
+    if (strlen(out) >= OBJ_WORD_MAX) snprintf(out, 64, "%.17g", v);
     return true;
 }
 
@@ -106,20 +112,34 @@ static uint32_t little(const char *p) {
     return u[0] | (uint32_t)u[1] << 8 | (uint32_t)u[2] << 16 | (uint32_t)u[3] << 24;
 }
 
+#define STL_HEAD 84
+#define STL_FACET 50
+
 /* 80 bytes of anything, a count, and for each triangle a normal, three vertices, 2 bytes. */
 static bool stl_binary(text_t *t) {
-    uint32_t n = little(t->bytes + 80);
-    t->line = 0;
+    const uint32_t n = little(t->bytes + 80);
+    const size_t facets = (t->n - STL_HEAD) / STL_FACET;
+    char what[128];
     if (n == 0) return complain(t, "no facets");
+    if (n > facets) {
+        snprintf(what, sizeof what,
+                 "as a binary STL it should have %lu facets, but ends after %zu; a text begins with `solid`",
+                 (unsigned long)n, facets);
+        return complain(t, what);
+    }
+    if (t->n > STL_HEAD + STL_FACET * (size_t)n) {
+        snprintf(what, sizeof what, "warning: %zu bytes behind the last of its %lu facets are left out",
+                 t->n - STL_HEAD - STL_FACET * (size_t)n, (unsigned long)n);
+        complain(t, what);
+    }
     for (uint32_t k = 0; k < n; k++) {
-        const char *p = t->bytes + 84 + 50 * (size_t)k + 12;
+        const char *p = t->bytes + STL_HEAD + STL_FACET * (size_t)k + 12;
         for (int v = 0; v < 3; v++, p += 12) {
             float xyz[3];
             for (int i = 0; i < 3; i++) {
                 uint32_t bits = little(p + 4 * i);
                 memcpy(&xyz[i], &bits, sizeof bits);
                 if (!isfinite(xyz[i])) {
-                    char what[64];
                     snprintf(what, sizeof what, "facet %lu: not a number", (unsigned long)k + 1);
                     return complain(t, what);
                 }
@@ -139,7 +159,7 @@ static bool off(text_t *t) {
     const char *kind = w + (strncmp(w, "ST", 2) == 0 ? 2 : 0);
     if (*kind == 'C') kind++;
     if (*kind == 'N') kind++;
-    const bool headed = strcmp(kind, "OFF") == 0;
+    const bool headed = strcasecmp(kind, "OFF") == 0;
     if (!headed && !isdigit((unsigned char)w[0])) return complain(t, "not OFF of three dimensions, as text");
     long count[3];
     for (int k = 0; k < 3; k++) {
@@ -167,6 +187,7 @@ static bool off(text_t *t) {
         if (n >= 3) fputc('\n', t->out);
         rest_of_line(t); /* colours */
     }
+    if (word(t, w, true)) complain(t, "warning: this and what follows is beyond the counts, and left out");
     return true;
 }
 
@@ -180,23 +201,26 @@ static bool read_all(FILE *f, text_t *t) {
             t->bytes = more;
         }
         size_t got = fread(t->bytes + t->n, 1, room - t->n, f);
-        if (got == 0) break;
+        if (got == 0) break; /* with room for a zero, which ends the last number */
         t->n += got;
     }
+    t->bytes[t->n] = '\0';
     return !ferror(f) || complain(t, "cannot be read");
 }
 
 static bool convert(text_t *t) {
     t->line = 1;
+    if (t->n >= 3 && memcmp(t->bytes, "\xef\xbb\xbf", 3) == 0) t->at = t->begin = 3; /* the mark of UTF-8 */
     if (ends_in(t->name, ".off")) return off(t);
-    /* Some binary files begin with `solid`, too: the size tells. */
-    if (t->n >= 84 && t->n == 84 + 50 * (size_t)little(t->bytes + 80)) return stl_binary(t);
-    size_t at = 0;
+    size_t at = t->at;
     while (at < t->n && isspace((unsigned char)t->bytes[at])) at++;
-    if (t->n - at >= 5 && strncasecmp(t->bytes + at, "solid", 5) == 0) return stl_text(t);
+    /* Some binary files begin with `solid`, too: the size tells. */
+    const bool solid = t->n - at >= 5 && strncasecmp(t->bytes + at, "solid", 5) == 0;
+    if (solid && (t->n < STL_HEAD || t->n != STL_HEAD + STL_FACET * (size_t)little(t->bytes + 80))) return stl_text(t);
     t->line = 0;
     if (t->n == 0) return complain(t, "the file is empty");
-    return complain(t, "neither a text STL nor a binary one of its length");
+    if (t->n < STL_HEAD) return complain(t, "an STL begins with `solid`, as a text, or has 84 bytes at least");
+    return stl_binary(t);
 }
 
 FILE *solid_file_open(FILE *f, const char *name) {

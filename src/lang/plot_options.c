@@ -101,6 +101,7 @@ int plot_options_data(session_t *s, lexer_t *lx, session_source_t *src) {
                                    {"volatile", 0}, {"mask", 0},    {"zsort", 0},   {"bins", 0},
                                    {"array", 0},    {"rec$ord", 0}, {NULL, 0}};
     bool seen_using = false, seen_index = false, seen_every = false, seen_matrix = false;
+    const int32_t begin = lexer_column(lx);
     for (;;) {
         int err = 0;
         lexer_t word = *lx;
@@ -125,13 +126,13 @@ int plot_options_data(session_t *s, lexer_t *lx, session_source_t *src) {
             if (!err) err = using(s, lx, src);
         } else if (lexer_is_name(lx, "solid") || lexer_is_name(lx, "obj")) {
             lexer_next(lx);
-            if (src->spec.format != DATA_ROWS || seen_using || seen_index || seen_every)
-                err = session_fail(s, &word, ERR_SYNTAX, "a solid is neither a matrix nor columns");
             src->solid = true;
         } else if (words_find(other, lx) >= 0) {
             return lang_error_set_name(&s->error, ERR_UNSUPPORTED, lexer_column(lx), "not supported", lexer_text(lx),
                                        lx->tok.len);
         } else {
+            if (src->solid && (src->spec.format != DATA_ROWS || seen_using || seen_index || seen_every))
+                return lang_error_set(&s->error, ERR_SYNTAX, begin, "a solid is neither a matrix nor columns");
             if (src->spec.format != DATA_ROWS && src->spec.flat)
                 return lang_error_set(&s->error, ERR_UNSUPPORTED, src->column, "a matrix is drawn by splot");
             if (src->spec.format == DATA_NONUNIFORM && !seen_matrix)

@@ -143,13 +143,16 @@ static bool is_passed(const char *word, size_t n) {
     return false;
 }
 
-/* Names a word once; those that are not OBJ's at all share a bit. */
+/* Names a word once. Those that are not OBJ's at all share what bits are left, so a few words are not named if there
+ * are many. */
 static void name_unsupported(obj_reader_t *r) {
     static const char *const known[] = {"p",     "vp",   "deg",  "bmat", "step",  "cstype", "curv",
                                         "curv2", "surf", "parm", "trim", "hole",  "scrv",   "sp",
                                         "end",   "con",  "call", "csh",  "ctech", "stech",  "merge"};
     size_t k = 0, n = sizeof known / sizeof known[0], len = (size_t)r->token_len;
     while (k < n && !(strlen(known[k]) == len && memcmp(known[k], r->token, len) == 0)) k++;
+    if (k == n)
+        for (size_t i = 0; i < len; i++) k = n + (k * 31 + (uint8_t)r->token[i]) % (32 - n);
     uint32_t bit = (uint32_t)1 << k;
     if (!(r->named & bit) && r->notice) r->notice(r->notice_ctx, r->line, r->token, r->token_len);
     r->named |= bit;
@@ -273,6 +276,7 @@ static int end_line(obj_reader_t *r) {
 
 static int take(obj_reader_t *r, char c) {
     r->at++;
+    if (r->line == 1 && r->at <= 3 && c == "\xef\xbb\xbf"[r->at - 1]) return 0; /* the mark of UTF-8 */
     if (r->joins && c != '\r') {
         r->joins = false;
         if (c == '\n') {

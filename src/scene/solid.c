@@ -87,6 +87,8 @@ static bool measure(solid_t *s, const mesh_t *const *mesh, int32_t n) {
     return lo[0] <= hi[0];
 }
 
+#define FAR_BITS 48 /* a scene may be so many times its size off the origin: its numbers hold no more than 53 bits */
+
 /* Half of the longest side becomes at most 2^(SOLID_BITS - 1), and more than half of that. */
 static int choose_scale(solid_t *s) {
     int32_t bits = INT32_MIN;
@@ -96,6 +98,8 @@ static int choose_scale(solid_t *s) {
         s->origin[axis] = num_ldexp(num_add(s->lo[axis], s->hi[axis]), -1);
         if (half.m != 0 && half.e + 63 > bits) bits = half.e + 63; /* half < 2^(e + 63) */
     }
+    for (int axis = 0; axis < 3 && bits > INT32_MIN; axis++)
+        if (s->origin[axis].m != 0 && s->origin[axis].e + 63 > bits + FAR_BITS) return ERR_VALUE;
     s->shift = bits == INT32_MIN ? 0 : SOLID_BITS - 1 - bits;
     /* A needle seen from its end may fill the page, and the rounding of its vertices must not take them off it. */
     const num_t thin = num_ldexp(num_from_i64(1), 21 - s->shift), rounding = num_ldexp(num_from_i64(1), -1 - s->shift);

@@ -84,7 +84,8 @@ typedef struct solid {
 size_t solid_bytes(const mesh_t *const *mesh, int32_t n);
 /* Puts n meshes together in mem (aligned to 8), which lives as long as s; s->bytes of it are used afterwards. The
  * meshes are not needed any more then. Faces without an area and segments without a length are left out. Returns 0;
- * ERR_EMPTY if nothing is left; ERR_FULL; ERR_VALUE for coordinates beyond any use. Cost: linear but for hashing; about
+ * ERR_EMPTY if nothing is left; ERR_FULL; ERR_VALUE for coordinates beyond any use, and for
+ * scenes 2^48 times as far from the origin as they are large. Cost: linear but for hashing; about
  * 0.5 us a corner on a desktop. */
 int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, size_t bytes);
 

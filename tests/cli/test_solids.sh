@@ -76,7 +76,8 @@ what_is_wrong_is_said() {
     ridgeline plot a.gp -o b.svg 2>err
     expect_text err 'line 5 of a.obj: ?[2Jx is not supported'
     for bad in 'splot x*y translate 1,2,3' 'splot "a.obj" translate 1,2' 'splot "a.obj" scale 0' 'splot "a.obj" crease 90' \
-        'plot "a.obj"' 'splot "a.obj" matrix solid'; do
+        'plot "a.obj"' 'splot "a.obj" matrix solid' 'splot "a.obj" using 1:2:3' \
+        'splot "a.obj" index 1' 'splot "a.obj" every 2 scale 2'; do
         echo "$bad" >b.gp
         expect_status 2 ridgeline plot b.gp -o a.svg 2>err
         expect_text err '"b.gp", line 1, column '
@@ -86,6 +87,34 @@ what_is_wrong_is_said() {
     ridgeline plot a.gp -o a.seg 2>err
     [ "$(wc -l <err)" -eq 1 ]
     expect_text err 'line 16 of a.obj: p is not supported'
+}
+
+# Damaged STL and OFF: what is missing is an error, what is too much a warning.
+damaged_files() {
+    { head -c 80 /dev/zero; printf '\2\0\0\0'; head -c 60 /dev/zero; } >a.stl
+    echo 'splot "a.stl"' >a.gp
+    expect_status 2 ridgeline plot a.gp 2>err
+    expect_text err 'should have 2 facets, but ends after 1'
+    head -c 50 /dev/zero >a.stl
+    expect_status 2 ridgeline plot a.gp 2>err
+    expect_text err '84 bytes at least'
+    { # one facet, 3 bytes more
+        head -c 80 /dev/zero; printf '\1\0\0\0'; head -c 24 /dev/zero
+        printf '\0\0\200\77\0\0\0\0\0\0\0\0\0\0\200\77\0\0\200\77\0\0\0\0\0\0xyz'
+    } >a.stl
+    ridgeline plot a.gp -o a.seg 2>err
+    expect_text err 'warning: 3 bytes behind the last of its 1 facets'
+    zeros=$(printf '%070d' 0)
+    printf '\357\273\277solid s\r\nfacet normal nan 0 0\r\nouter loop\r\nvertex 0 0 0\r\nvertex 1.%s 0 0\r\nvertex 1 1 0\r
+endloop\r\nendfacet\r\nendsolid' "$zeros" >a.stl # the mark of UTF-8, Windows line ends, a long number, no line end
+    ridgeline plot a.gp -o b.seg 2>err
+    [ ! -s err ]
+    near "$(ink a.seg)" "$(ink b.seg)"
+    printf 'off\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n3 2 1 0' >a.off
+    echo 'splot "a.off"' >a.gp
+    ridgeline plot a.gp -o b.seg 2>err
+    expect_text err '"a.off", line 7, column 1: warning: this and what follows is beyond the counts'
+    near "$(ink a.seg)" "$(ink b.seg)"
 }
 
 rows_as_they_are_typed() {
@@ -193,6 +222,6 @@ thousands_of_concave_parts() {
     done
 }
 
-run_tests a_surface_of_facets_is_the_surface formats_are_the_same_body a_binary_stl_is_read what_is_wrong_is_said \
+run_tests a_surface_of_facets_is_the_surface formats_are_the_same_body a_binary_stl_is_read what_is_wrong_is_said damaged_files \
     rows_as_they_are_typed hidden_parts_are_dashed what_falls_together_is_drawn_once an_outline_is_closed \
     bodies_that_meet_have_seams thousands_of_concave_parts

@@ -386,8 +386,33 @@ static void capacity_of_the_boards(void **state) {
     assert_true(m3 >= 8 && pico >= 80);
 }
 
+static int count_notice;
+static void count(void *ctx, int32_t line, const char *text, int32_t len) {
+    (void)ctx;
+    (void)line;
+    (void)text;
+    count_notice += len > 0;
+}
+
+static void files_of_other_programs(void **state) {
+    (void)state;
+    assert_int_equal(build("\xef\xbb\xbfv 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nf -3 -2 \\\r\n-1"), 0); /* the mark of UTF-8 */
+    assert_int_equal(solid.nv, 3);
+    assert_int_equal(build("v 1e12 0 0\nv 1e12 1 0\nv 1e12 1 1\nf 1 2 3"), 0);
+    assert_int_equal(solid.nv, 3);
+    assert_int_equal(build("v 1e20 0 0\nv 1e20 1 0\nv 1e20 1 1\nf 1 2 3"), ERR_VALUE); /* too far for its size */
+    data_pool_t pool = {memory, 0, POOL};
+    obj_reader_t r;
+    static const char words[] = "face 1\np 1\nvertex 2\nface 3\np 2\nvn 1\n";
+    obj_reader_start(&r, &pool, NULL, false, 0);
+    r.notice = count;
+    assert_int_equal(obj_reader_feed(&r, words, sizeof words - 1), 0);
+    assert_int_equal(count_notice, 3); /* each once, though two are none of OBJ's */
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(files_of_other_programs),
         cmocka_unit_test(a_cube_is_one_convex_object),
         cmocka_unit_test(bodies_that_touch_are_two),
         cmocka_unit_test(what_fills_a_hole_looks_out),
