@@ -160,7 +160,7 @@ static void test_several(void **state) {
         camera_t cam = {.perspective = s.perspective};
         for (int k = 0; k < 3; k++) cam.eye[k] = num_of(s.eye[k]);
         ink_sink_t sink = {&d, take};
-        hidden_job_t job = {memory, sizeof memory, &sink, NULL, NULL, false, NULL};
+        hidden_job_t job = {memory, sizeof memory, &sink, NULL, NULL, 0, NULL};
         hidden_stats_t st;
         assert_int_equal(perimeter_draw_several(list, s.surfaces, &cam, &job, &st), 0);
         assert_int_equal(d.twice, 0);
@@ -212,7 +212,7 @@ static void test_refusals(void **state) {
     grid_measure(&gb, &b, NULL, NULL, NULL, NULL, NULL);
     camera_t cam = {.perspective = true, .eye = {num_from_i64(4), num_from_i64(-9), num_from_i64(5)}};
     ink_sink_t sink = {&d, take};
-    hidden_job_t job = {memory, sizeof memory, &sink, NULL, NULL, false, NULL};
+    hidden_job_t job = {memory, sizeof memory, &sink, NULL, NULL, 0, NULL};
     hidden_stats_t st;
     assert_int_equal(perimeter_draw_several(list, 2, &cam, &job, &st), ERR_UNSUPPORTED);
     list[1] = &ga;

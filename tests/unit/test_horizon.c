@@ -120,7 +120,7 @@ static void test_against_brute_force(void **state) {
         p.side[1] = p.away[0] = num_from_i64(0);
         camera_t cam = {.perspective = t.perspective, .eye = {num_of(t.eye[0]), num_of(t.eye[1]), num_of(t.eye[2])}};
         ink_sink_t sink = {&d, take};
-        hidden_job_t job = {memory, sizeof memory, &sink, NULL, NULL, false, NULL};
+        hidden_job_t job = {memory, sizeof memory, &sink, NULL, NULL, 0, NULL};
         hidden_stats_t st;
         assert_int_equal(horizon_draw(&p, &cam, infinite, &job, &st), 0);
         assert_int_equal(d.twice, 0);
@@ -157,7 +157,7 @@ static void test_too_small(void **state) {
     camera_t cam = {.perspective = true, .eye = {num_of(t.eye[0]), num_of(t.eye[1]), num_of(t.eye[2])}};
     uint64_t memory[20];
     ink_sink_t sink = {&d, take};
-    hidden_job_t job = {memory, sizeof memory, &sink, NULL, NULL, false, NULL};
+    hidden_job_t job = {memory, sizeof memory, &sink, NULL, NULL, 0, NULL};
     hidden_stats_t st;
     assert_int_equal(horizon_draw(&p, &cam, false, &job, &st), ERR_FULL);
     job.bytes = 16;
