@@ -3,11 +3,24 @@
 
 #include <stdio.h>
 
+#include "tests/oracle/solid_laws.h"
+
 static void tell(const cases_t *c, uint64_t seed, const char *what, const judge_report_t *r) {
     printf("# FAILED RIDGELINE_SEED=%llu build/tests/property/%s: %s\n"
            "#   missing %g mm (edge %d, %g to %g), false %g mm (edge %d, %g to %g), end %g steps, twice %g mm\n",
            (unsigned long long)seed, c->program, what, r->missing_mm, r->missing.line, r->missing.from, r->missing.to,
            r->false_mm, r->falsely.line, r->falsely.from, r->falsely.to, r->end_steps, r->twice_mm);
+}
+
+typedef struct judging {
+    solid_judge_t judge;
+    void *ctx;
+} judging_t;
+
+static bool fails(void *ctx, const solid_scene_t *s) {
+    const judging_t *j = ctx;
+    judge_report_t r = {0};
+    return j->judge(j->ctx, s, &r) == SOLID_FAILED;
 }
 
 int solid_cases_random(cases_t *c, uint64_t first, uint64_t count, int objects, solid_judge_t judge, void *ctx) {
@@ -22,6 +35,11 @@ int solid_cases_random(cases_t *c, uint64_t first, uint64_t count, int objects, 
         if (verdict == SOLID_FAILED) {
             failed++;
             tell(c, seed, s.what, &r);
+            if (failed <= 3) {
+                printf("#   shrunk:\n");
+                solid_scene_shrink(&s, fails, &(judging_t){judge, ctx});
+                solid_scene_print(&s);
+            }
         }
         if (verdict != SOLID_LEFT_OUT) {
             c->run++;

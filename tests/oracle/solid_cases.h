@@ -11,7 +11,8 @@ enum solid_verdict { SOLID_GOOD, SOLID_FAILED, SOLID_LEFT_OUT };
 typedef enum solid_verdict (*solid_judge_t)(void *ctx, const solid_scene_t *s, judge_report_t *r);
 
 /* `count` scenes of up to so many objects from seed `first` on, or as RIDGELINE_SEED and its kin say. Prints failures,
- * with the command of c->program that repeats each, and a summary. Returns how many failed, at most 20. */
+ * with the command of c->program that repeats each, the first three made small, and a summary. Returns how many failed,
+ * at most 20. */
 int solid_cases_random(cases_t *c, uint64_t first, uint64_t count, int objects, solid_judge_t judge, void *ctx);
 
 #endif

@@ -32,8 +32,8 @@ report-run: $(if $(SECTION),$(SECTION_NEEDS),host $(REPORTS) $(BARE_COUNTS) $(SO
 test-run test-cli: $(addprefix $(BUILDDIR)/report/,report_error report_solids solid_bits_28)
 
 SOAK_MINUTES ?= 10
-SOAK_TESTS := $(addprefix $(BUILDDIR)/tests/property/,test_metamorphic test_differential test_perimeter_random test_holes_random \
-    test_horizon_random)
+SOAK_TESTS := $(addprefix $(BUILDDIR)/tests/property/,test_metamorphic test_differential test_solid_laws test_perimeter_random \
+    test_holes_random test_horizon_random test_several_random test_convex_random test_area_random test_halo_random)
 soak: $(SOAK_TESTS) ## random scenes and laws against the reference, new seeds every round, for SOAK_MINUTES (10)
 	$(Q)sh tests/report/soak.sh $(SOAK_MINUTES) $(SOAK_TESTS)
 .PHONY: soak

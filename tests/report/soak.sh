@@ -22,7 +22,7 @@ while [ "$(date +%s)" -lt "$end" ]; do
             echo "failed in round $round: RIDGELINE_CASES=$RIDGELINE_CASES RIDGELINE_ROUND=$round $t"
             exit 1
         fi
-        n=$(sed -n 's/^# .*: \([0-9]*\) scenes.*/\1/p' "$log" | awk '{ s += $1 } END { print s + 0 }')
+        n=$(sed -n 's/^# .*: \([0-9]*\) \(scenes\|frames\).*/\1/p' "$log" | awk '{ s += $1 } END { print s + 0 }')
         scenes=$((scenes + n))
         echo "round $round, ${t##*/}: $n scenes, $scenes in all"
     done
