@@ -84,6 +84,19 @@ lights_cast_shadows_of_their_own() {
     echo "# test_tone: $n lights, borders of shadows of $(ink 2 "$above; $lights") mm, $(awk -v s="$side" -v n=$n 'BEGIN { printf "%.3f", s * n }') mm by arithmetic"
 }
 
+# The same box on a strip that reaches 205 behind it. A light that falls in flatly makes shadows of 200, or to the end of the strip,
+# with a border on both sides; one that does not fall in at all makes none.
+grazing_light_casts_long_shadows() {
+    ground
+    sed 's/^v 6 -6 0/v 206 -6 0/; s/^v 6 6 0/v 206 6 0/' cube.obj >strip.obj && mv strip.obj cube.obj
+    s=$(awk -v l="$(ink 1 "$above")" 'BEGIN { print l / 456 }')
+    for case in 100,0,1:402 200,0,1:410 1e3,0,1:410 2e3,0,1:410 1,0,0:0 1,0,-1e-6:0; do
+        got=$(ink 2 "$above; set light -${case%:*}")
+        awk -v a="$got" -v b="$s" -v n="${case#*:}" 'BEGIN { exit !((a - n * b) ^ 2 <= (.001 * b) ^ 2) }' || { echo "light -${case%:*}: $got"; return 1; }
+    done
+    echo "# test_tone: a light at 1 to 100, a shadow bordered by $(ink 2 "$above; set light -100,0,1") mm, $(awk -v s="$s" 'BEGIN { printf "%.3f", 402 * s }') mm by arithmetic"
+}
+
 # Two lights from one side, one lower: the shorter shadow lies in the longer one, and is darker.
 shadows_overlap() {
     ground
@@ -271,4 +284,4 @@ settings_are_answered() {
     done
 }
 
-run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own shadows_overlap lamps_cast_shadows_too surfaces_are_shaded lamps_are_weighed_at_the_sheet surfaces_take_shadows glass_is_looked_through glass_has_a_name details_end_with_their_face settings_are_answered
+run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own grazing_light_casts_long_shadows shadows_overlap lamps_cast_shadows_too surfaces_are_shaded lamps_are_weighed_at_the_sheet surfaces_take_shadows glass_is_looked_through glass_has_a_name details_end_with_their_face settings_are_answered
