@@ -84,6 +84,12 @@ static bool compare_all(void *ctx, const int32_t *from, const int32_t *end) {
     return true;
 }
 
+/* Was it moved to the end of the page's range, off the edge's line? */
+static bool is_limited(const solid_place_t *p) {
+    return p->x <= -SOLID_PLACE_MOST || p->x >= SOLID_PLACE_MOST || p->y <= -SOLID_PLACE_MOST ||
+           p->y >= SOLID_PLACE_MOST;
+}
+
 static int emit(drawing_t *d, const ink_sink_t *sink, int32_t from, int32_t to) {
     if (from >= to) return 0;
     const ink_piece_t piece = {INK_SEGMENT, 0, d->edge, from, to};
@@ -135,7 +141,10 @@ static int draw_edge(drawing_t *d, int32_t edge) {
         d->z = a->z > b->z ? a->z : b->z;
         d->part[0] = (part_t){(int32_t)t_q30[0], (int32_t)t_q30[1]};
         d->parts = 1;
-        page_grid_walk(&d->grid, a, b, compare_all, d);
+        if (is_limited(a) || is_limited(b)) /* the grid would be walked along another line */
+            for (int32_t k = 0; k < d->shadows.n && compare(d, &d->shadows.list[k]); k++) continue;
+        else
+            page_grid_walk(&d->grid, a, b, compare_all, d);
         if (d->full) return ERR_FULL;
     }
     return emit_parts(d, (int32_t)t_q30[0], (int32_t)t_q30[1]);

@@ -225,10 +225,21 @@ static void test_area_sort(void **state) {
     assert_int_equal(failed, 0);
 }
 
+/* An edge from behind the eye, which was not held against what the window's grid had of it. */
+static void test_found(void **state) {
+    law_case_t c = {SOLID_LAW_REFINE, false, 16000183015};
+    solid_scene_t s;
+    (void)state;
+    solid_scene_random(&s, c.seed, 5);
+    assert_true(try_law(&c, &s).good);
+    solid_scene_free(&s);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_convex),
         cmocka_unit_test(test_area_sort),
+        cmocka_unit_test(test_found),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
