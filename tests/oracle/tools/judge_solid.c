@@ -1,12 +1,13 @@
 /* judge_solid - judges a drawing of solids by the whole program (.seg) at random places, by rays.
  *
- *     judge_solid DRAWING.seg BODY.obj... [-n PLACES] [-s SEED]
+ *     judge_solid DRAWING.seg BODY.obj... [-n PLACES] [-s SEED] [-p X0,Y0,X1,Y1]
  *
  * Places on edges of the files, which must not be moved by the plot: one that is visible must be drawn. Places on drawn
  * segments: some edge must run there that is not hidden. A place counts only where rays from it and from eight places
  * a step (0.0125 mm) around it agree. The rays are tested against every face whose picture is there (its plane, and
  * even-odd in the polygon): nothing here knows of bodies, outlines, convexity or a lattice, and scenes of a hundred
- * thousand faces take seconds. For scenes in front of the eye, and all on the page.
+ * thousand faces take seconds. For scenes in front of the eye, and all on the page, or with the
+ * corners of its drawing area (-p 10,10,287,200), beyond which nothing is asked; polygons must be flat.
  *
  * Prints what it counted; exit status 0 when nothing is missing or false, 1 when something is, 2 when it cannot judge.
  */
@@ -47,6 +48,7 @@ static struct {
     page_seg_t *seg;
     size_t segs;
     bins_t faces, edges, drawn;
+    double area[4]; /* of the page: x0, y0, x1, y1 */
     uint64_t rng;
 } s;
 
@@ -314,6 +316,7 @@ int main(int argc, char **argv) {
     long places = 20000, missing = 0, falsely = 0, judged = 0, seen = 0;
     const char *drawing = argc > 1 ? argv[1] : "";
     s.rng = 88172645463325252u;
+    memcpy(s.area, (double[]){-1e30, -1e30, 1e30, 1e30}, sizeof s.area);
     s.seg = judge_seg_read(drawing, &s.view, &s.segs);
     if (!s.seg) return complain("no drawing with a camera", drawing);
     for (int i = 2; i < argc; i++) {
@@ -321,6 +324,10 @@ int main(int argc, char **argv) {
             places = atol(argv[++i]);
         } else if (strcmp(argv[i], "-s") == 0 && i + 1 < argc) {
             s.rng += (uint64_t)atol(argv[++i]) * 0x9e3779b97f4a7c15u;
+        } else if (strcmp(argv[i], "-p") == 0 && i + 1 < argc) {
+            double *a = s.area;
+            if (sscanf(argv[++i], "%lf,%lf,%lf,%lf", &a[0], &a[1], &a[2], &a[3]) != 4)
+                return complain("four numbers expected", argv[i]);
         } else if (read_obj(argv[i])) {
             return 2;
         }
@@ -332,10 +339,12 @@ int main(int argc, char **argv) {
         const int e = (int)(uniform() * s.ne);
         const vec_t a = s.vertex[s.edge[e][0]], p = add(a, uniform(), sub(s.vertex[s.edge[e][1]], a));
         double at[2];
-        const int is = state(p, e);
+        const bool asked = on_page(p, at) && at[0] > s.area[0] + STEP && at[0] < s.area[2] - STEP &&
+                           at[1] > s.area[1] + STEP && at[1] < s.area[3] - STEP;
+        const int is = asked ? state(p, e) : -1;
         judged += is >= 0;
         seen += is == 1;
-        if (is != 1 || !on_page(p, at) || is_drawn(at)) continue;
+        if (is != 1 || is_drawn(at)) continue;
         if (missing++ < SHOWN) printf("missing at %.4f %.4f, edge %d %d\n", at[0], at[1], s.edge[e][0], s.edge[e][1]);
     }
     for (long k = 0; k < places && s.segs > 0; k++) {
