@@ -13,6 +13,7 @@
 
 #define PORT_ALL_PINS 0x3fu
 #define PORT_INVERT 0u /* high is active: a chip in reset drives nothing, and pull-downs leave motors off, pen up */
+#define PORT_STORE_END 0x40000u /* of flash */
 
 enum { PORT_IRQ_SWITCHES = 4 /* GPIO port E */, PORT_IRQ_UART = 5, PORT_IRQ_TIMER = 19 /* GPTM 0A */ };
 

@@ -16,6 +16,7 @@
 
 #define PORT_ALL_PINS 0x3fu
 #define PORT_INVERT 0u /* high is active: a chip in reset drives nothing, and pull-downs leave motors off, pen up */
+#define PORT_STORE_END 0x40000u /* of flash */
 
 enum { PORT_IRQ_UART = 2, PORT_IRQ_TIMER = 8 /* TIMER0 */, PORT_IRQ_WAKE = 9 /* TIMER1 */ };
 

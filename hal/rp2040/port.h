@@ -21,6 +21,9 @@
 #define PORT_ALL_PINS 0x3fu
 #define PORT_INVERT HAL_ENABLE /* /ENABLE, pulled up on the drivers: a chip in reset leaves them off */
 
+#define XIP 0x10000000u /* where flash is read */
+#define PORT_STORE_END (XIP + 0x200000u)
+
 #define FIRST_PIN 2
 #define FIRST_INPUT 10 /* four in one register of eight */
 #define CLOCK_SLICE 7

@@ -1,12 +1,9 @@
 /* store.c - the last 16 KB of flash: 4 slots of one sector of 4 KB each. The boot ROM's routines erase and write;
  * meanwhile no code can be read from flash, so what calls them lies in RAM and interrupts are off. */
-#include <string.h>
+#include "hal/port/store.h"
 
-#include "error.h"
 #include "port.h"
 
-#define XIP 0x10000000u
-#define START (0x200000u - HAL_STORE_SLOTS * HAL_STORE_BYTES) /* offset in flash */
 #define PAGE 256u
 
 typedef void (*rom_plain_t)(void);
@@ -22,26 +19,12 @@ typedef struct rom {
 
 static uint8_t page[PAGE] __attribute__((aligned(4)));
 
-static bool slot_ok(int slot, size_t bytes) {
-    return slot >= 0 && slot < HAL_STORE_SLOTS && bytes <= HAL_STORE_BYTES;
-}
-
-static uint32_t slot_at(int slot) {
-    return START + (uint32_t)slot * HAL_STORE_BYTES;
-}
-
 static void *rom_function(char a, char b) {
     uintptr_t at = 0x14;  /* table and lookup, as 16-bit pointers */
     __asm("" : "+r"(at)); /* the compiler takes addresses this small for mistakes */
     const uint16_t *entry = (const uint16_t *)at;
     rom_lookup_t lookup = (rom_lookup_t)(uintptr_t)entry[2];
     return lookup((const uint16_t *)(uintptr_t)entry[0], (uint32_t)(uint8_t)a | (uint32_t)(uint8_t)b << 8);
-}
-
-int hal_store_read(int slot, void *buf, size_t bytes) {
-    if (!slot_ok(slot, bytes)) return ERR_FILE;
-    memcpy(buf, (const void *)(XIP + slot_at(slot)), bytes);
-    return 0;
 }
 
 /* Erases the slot at `at`, or writes `page` there. */
@@ -60,8 +43,8 @@ __attribute__((section(".ramcode"), noinline)) static void flash_do(const rom_t 
     REG(XIP_SSI + 0x08u) = 1;
 }
 
-int hal_store_write(int slot, const void *buf, size_t bytes) {
-    if (!slot_ok(slot, bytes)) return ERR_FILE;
+void port_store_write(uintptr_t to, const uint8_t *buf, size_t bytes) {
+    const uint32_t at = to - XIP;
     const rom_t rom = {
         .connect = (rom_plain_t)rom_function('I', 'F'),
         .leave_xip = (rom_plain_t)rom_function('E', 'X'),
@@ -72,13 +55,12 @@ int hal_store_write(int slot, const void *buf, size_t bytes) {
     };
     void (*volatile run)(const rom_t *, uint32_t, bool) = flash_do; /* RAM is too far for a branch */
     uint32_t state = irq_lock();
-    run(&rom, slot_at(slot), true);
+    run(&rom, at, true);
     for (size_t i = 0; i < bytes; i += PAGE) {
         size_t n = bytes - i < PAGE ? bytes - i : PAGE;
         memset(page, 0xff, PAGE);
-        memcpy(page, (const uint8_t *)buf + i, n);
-        run(&rom, slot_at(slot) + (uint32_t)i, false);
+        memcpy(page, buf + i, n);
+        run(&rom, at + (uint32_t)i, false);
     }
     irq_unlock(state);
-    return memcmp((const void *)(XIP + slot_at(slot)), buf, bytes) == 0 ? 0 : ERR_FILE;
 }
