@@ -245,7 +245,8 @@ int expr_run(lang_t *l, const expr_t *x, value_t *out) {
         case OP_REAL1: {
             const builtin_t *f = &BUILTINS[*pc++];
             if (NUM_FAST_RARE(kind == VALUE_UNDEF)) break;
-            TAKE_REAL(num_double(f->real1(NUM_FAST_RARE(kind == VALUE_INT) ? value_num(TOP_VALUE) : TOP_REAL)));
+            const num_t r = f->real1(NUM_FAST_RARE(kind == VALUE_INT) ? value_num(TOP_VALUE) : TOP_REAL);
+            TAKE_REAL(num_double((num_t){r.m, r.e, r.undef})); /* as it is, it would be copied as a whole */
             break;
         }
         case OP_FUNC: {

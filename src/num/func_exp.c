@@ -25,8 +25,9 @@ static num_t exp_reduced(int32_t k, int64_t r) {
     int32_t rq = (int32_t)((wide_mul_s32(rh, q) + (1 << 29)) >> 30);        /* Q41, 31 bits */
     int64_t cube = wide_mul_s32(rq, (int32_t)((square + (1 << 29)) >> 30)); /* Q87, 62 bits */
     int64_t p = r + (int64_t)(square >> 7) + (cube >> 17);                  /* e^r - 1, Q70, below 2^62.5 */
-    int64_t t = (int64_t)func_tables_exp2[k & 63];
-    uint64_t u = (uint64_t)(t + ((wide_mulhi_s64(t, p) + 32) >> 6)); /* Q62, in [0.994, 2) */
+    uint64_t t = func_tables_exp2[k & 63];
+    int64_t tp = (int64_t)(wide_mulhi_u64(t, (uint64_t)p) - (t & (uint64_t)(p >> 63))); /* t is not negative */
+    uint64_t u = t + (uint64_t)((tp + 32) >> 6);                                        /* Q62, in [0.994, 2) */
     int low = (int)(u >> 62 ^ 1);
     return num_fast_make((int64_t)(u << low), (k >> 6) - 62 - low);
 }

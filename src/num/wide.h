@@ -48,9 +48,12 @@ static inline uint64_t wide_mul_u32(uint32_t a, uint32_t b) {
 }
 static inline int64_t wide_mul_s32(int32_t a, int32_t b) {
 #ifdef __ARM_ARCH_6M__
-    /* as an unsigned operand, a negative one counts 2^32 too much */
-    uint32_t excess = ((uint32_t)(a >> 31) & (uint32_t)b) + ((uint32_t)(b >> 31) & (uint32_t)a);
-    return (int64_t)(wide_mul_u32((uint32_t)a, (uint32_t)b) - ((uint64_t)excess << 32));
+    /* The upper halves have the signs: no sum leaves 32 bits, and nothing is to be put right afterwards. */
+    int32_t al = a & 0xffff, ah = a >> 16, bl = b & 0xffff, bh = b >> 16;
+    uint32_t ll = (uint32_t)al * (uint32_t)bl;
+    int32_t mid = ah * bl + (int32_t)(ll >> 16), mid2 = al * bh + (mid & 0xffff);
+    uint32_t hi = (uint32_t)(ah * bh + (mid >> 16) + (mid2 >> 16));
+    return (int64_t)((uint64_t)hi << 32 | ((uint32_t)mid2 << 16 | (ll & 0xffff)));
 #else
     return (int64_t)a * b;
 #endif

@@ -69,6 +69,22 @@ static void products_are_exact(void **state) {
     mpz_clears(p, q, NULL);
 }
 
+/* Words made of halves at their limits, then any. */
+static void products_of_words_are_exact(void **state) {
+    static const uint16_t half[] = {0, 1, 2, 0x1234, 0x7fff, 0x8000, 0x8001, 0xfffe, 0xffff};
+    enum { HALVES = sizeof half / sizeof *half, WORDS = HALVES * HALVES };
+    (void)state;
+    for (int i = 0; i < WORDS * WORDS + RANDOM; i++) {
+        uint32_t a = (uint32_t)next() >> (next() & 31), b = (uint32_t)next();
+        if (i < WORDS * WORDS) {
+            a = (uint32_t)half[i % HALVES] << 16 | half[i / HALVES % HALVES];
+            b = (uint32_t)half[i / WORDS % HALVES] << 16 | half[i / WORDS / HALVES];
+        }
+        assert_true(wide_mul_u32(a, b) == (uint64_t)a * b);
+        assert_true(wide_mul_s32((int32_t)a, (int32_t)b) == (int64_t)(int32_t)a * (int32_t)b);
+    }
+}
+
 static void sums_shifts_and_comparisons_agree(void **state) {
     (void)state;
     mpz_t x, y, z;
@@ -185,6 +201,7 @@ static void division_gives_quotient_and_remainder(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(products_are_exact),
+        cmocka_unit_test(products_of_words_are_exact),
         cmocka_unit_test(sums_shifts_and_comparisons_agree),
         cmocka_unit_test(determinant_signs_are_exact),
         cmocka_unit_test(products_of_more_are_exact_modulo_2_128),
