@@ -8,3 +8,7 @@ says '^> start'
 again autorun_on $within 9
 again autorun $within
 says '^autorun'
+scene save_drawing $within 9
+says '^saved'
+again autorun $within
+says '^autorun'
