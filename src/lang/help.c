@@ -20,10 +20,11 @@ static const char overview[] =
     "More: help splot, help set view, help functions, help data, help machine, ...\n";
 
 static const topic_t topics[] = {
-    {"sp$lot", "splot [x0:x1] [y0:y1] [z0:z1] ELEMENT, ELEMENT, ...     short: sp\n"
-               "ELEMENT: an expression in x and y, or 'file', or '-' (rows follow, up to a line e); then\n"
-               "  with lines (w l), title 'text', notitle, and for data: using, index, every, matrix (help data).\n"
-               "A range may name its variable: splot [u=0:1] [v=0:1] u*v. The grid is set isosamples.\n"},
+    {"sp$lot",
+     "splot [x0:x1] [y0:y1] [z0:z1] ELEMENT, ELEMENT, ...     short: sp\n"
+     "ELEMENT: an expression in x and y, or 'file', or '-' (rows follow, up to a line e); then\n"
+     "  with lines (w l), title 'text', notitle, and for data: using, index, every, skip, matrix (help data).\n"
+     "A range may name its variable: splot [u=0:1] [v=0:1] u*v. The grid is set isosamples.\n"},
     {"p$lot",
      "plot [x0:x1] [y0:y1] ELEMENT, ELEMENT, ...     short: p\n"
      "ELEMENT: an expression in x, drawn with as many points as set samples, or 'file' or '-' with rows x y or y,\n"
@@ -102,7 +103,7 @@ static const topic_t topics[] = {
     {"dataf$ile", "set datafile separator whitespace|comma|tab|'c'. At first both blanks and commas separate.\n"},
     {"au$toscale", "set autoscale [x|y|z|xy...]: these ranges follow the data again.\n"},
     {"data",
-     "splot 'file' [matrix | nonuniform matrix] [index M[:N]] [every A:B:C:D:E:F] [using 1:2:3]\n"
+     "splot 'file' [matrix | nonuniform matrix] [index M[:N]] [every A:B:C:D:E:F] [skip N] [using 1:2:3]\n"
      "Rows x y z, isolines separated by a blank line, data sets by two; or rows of one z: x and y are then counted\n"
      "from 0. Points must lie on a grid of x and y lines, spaced as they like. NaN and ? are holes; # begins a\n"
      "comment. using 1:2:($3*2) computes from columns; using 1 takes one column of heights.\n"

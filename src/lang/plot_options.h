@@ -4,14 +4,16 @@
 
 #include "lang/session.h"
 
-/* matrix, nonuniform, index, every, using: into src->spec and src->part. */
+/* plot_options.c: matrix, nonuniform, index, every, skip, using: into src->spec and src->part. */
 int plot_options_data(session_t *s, lexer_t *lx, session_source_t *src);
-/* translate X,Y,Z; rotate X,Y,Z; scale S or X,Y,Z; any number of them, carried out in this order: added to a. And
- * crease A and translucent, which go to src; names: PLOT_NAMES_MAX for those behind translucent, or NULL. */
+/* plot_moves.c: translate X,Y,Z; rotate X,Y,Z; scale S or X,Y,Z; any number of them, carried out in this order: added
+ * to a. And crease A and translucent, which go to src; names: PLOT_NAMES_MAX for those behind translucent, or NULL. */
 int plot_options_moves(session_t *s, lexer_t *lx, affine_t *a, session_source_t *src, char *names);
 /* What an angle of `crease` is in mesh_t.smooth_q30. */
 int32_t plot_options_cosine(num_t degrees);
-/* title, with lines, and what concerns colours and widths. */
+/* The option `word` again: an error. */
+int plot_options_twice(session_t *s, const lexer_t *word, bool *seen);
+/* plot_looks.c: title, with lines, and what concerns colours and widths. */
 int plot_options_style(session_t *s, lexer_t *lx, session_source_t *src);
 /* plot_parse.c: compiles an expression without dummy variables into the plot's code. */
 int plot_options_expression(session_t *s, lexer_t *lx, expr_t *out);

@@ -43,7 +43,7 @@ const word_t words_command[] = {
     {"vclear", CMD_UNSUPPORTED},   {"vfill", CMD_UNSUPPORTED}, {"voxel", CMD_UNSUPPORTED},
     {"while", CMD_UNSUPPORTED},    {NULL, CMD_IGNORED},
 };
-_Static_assert(sizeof words_command / sizeof words_command[0] <= WORDS_COMMAND_MAX, "a warning bit for each");
+_Static_assert(sizeof words_command / sizeof words_command[0] <= WORDS_WARNED_STYLE, "a warning bit for each");
 
 const word_t words_set[] = {
     {"all", SET_ALL},

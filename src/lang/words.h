@@ -36,6 +36,8 @@ enum command_id {
 extern const word_t words_command[];
 /* A bit for a warning already given: one per word of words_command and words_set. */
 #define WORDS_COMMAND_MAX 64
+/* The last of these bits: `with` something else than lines. */
+#define WORDS_WARNED_STYLE (WORDS_COMMAND_MAX - 1)
 
 enum set_id {
     SET_ANGLES,

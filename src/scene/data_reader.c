@@ -10,8 +10,13 @@ void data_spec_default(data_spec_t *spec) {
 
 void data_reader_start(data_reader_t *r, const data_spec_t *spec, data_pool_t *pool, data_grid_t *grid,
                        data_curve_t *curve, int32_t grids_max, bool stop_at_e, int32_t first_line) {
-    *r = (data_reader_t){
-        .spec = spec, .pool = pool, .grid = grid, .curve = curve, .grids_max = grids_max, .parts = spec->parts};
+    *r = (data_reader_t){.spec = spec,
+                         .pool = pool,
+                         .grid = grid,
+                         .curve = curve,
+                         .grids_max = grids_max,
+                         .parts = spec->parts,
+                         .skip = spec->skip};
     field_start(&r->field, spec->separator, stop_at_e, first_line);
 }
 
@@ -223,6 +228,11 @@ static int happen(data_reader_t *r, enum field_event event) {
 
 int data_reader_feed(data_reader_t *r, const char *text, size_t n) {
     const char *p = text, *end = text + n;
+    while (r->skip > 0 && p < end)
+        if (*p++ == '\n') {
+            r->skip--;
+            r->field.lines++;
+        }
     while (!r->stopped) {
         enum field_event event = field_next(&r->field, &p, end);
         if (event == FIELD_MORE) break;

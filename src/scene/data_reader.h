@@ -25,6 +25,7 @@ typedef struct data_spec {
     enum data_format format;
     bool flat;       /* points of a curve, not of a surface */
     char separator;  /* 0: blanks or a comma */
+    int32_t skip;    /* lines at the start that are not looked at */
     int32_t parts;   /* of using: 0 (not given), 1 (z, or y of a curve), 2 (x, y of a curve) or 3 */
     int32_t part[3]; /* column 1.., USING_... */
     uint64_t wanted; /* bit c: column c is a part: a row without it is an error */
@@ -48,6 +49,7 @@ typedef struct data_reader {
     int32_t column_at[CONFIG_DATA_COLUMNS + 1]; /* where it stands in the line */
     uint64_t is_text;                           /* bit c: column c is not a number */
     int32_t parts;                              /* of using, or what the first row made of it */
+    int32_t skip;                               /* lines still to be skipped */
     int32_t set, block, point;                  /* numbers, before every and index */
     int32_t kept_point, kept_block, set_points; /* after every; for columns 0 and -1 and implied x, y */
     int32_t blanks;                             /* blank lines in a row */

@@ -1,0 +1,173 @@
+/* plot_looks.c - how an element would look in gnuplot: title, with, colours and widths. Lines are what a pen draws. */
+#include "lang/plot_options.h"
+#include "lang/session_parts.h"
+
+static int title(session_t *s, lexer_t *lx, session_source_t *src) {
+    if (lx->tok.kind != TOKEN_STRING) return lexer_unexpected(lx, &s->error, "a text in quotes expected");
+    src->title = lexer_text(lx) + 1;
+    src->title_len = (int32_t)lx->tok.len - 2;
+    lexer_next(lx);
+    return 0;
+}
+
+static int with(session_t *s, lexer_t *lx) {
+    int index = words_find(words_style, lx);
+    if (index < 0) {
+        if (lx->tok.kind != TOKEN_NAME) return lexer_unexpected(lx, &s->error, "a way to draw expected, such as lines");
+        return lang_error_set_name(&s->error, ERR_NAME, lexer_column(lx), "unknown way to draw", lexer_text(lx),
+                                   lx->tok.len);
+    }
+    if (words_style[index].id != STYLE_LINES)
+        session_warn_once(s, s->warned_command, WORDS_WARNED_STYLE, "with ", lx, " is drawn with lines");
+    lexer_next(lx);
+    return 0;
+}
+
+/* A colour: rgb "name", palette ..., variable, a word, or a number. */
+static int colour(session_t *s, lexer_t *lx) {
+    static const word_t alone[] = {{"var$iable", 0}, {"bgnd", 0},     {"black", 0},
+                                   {"nodraw", 0},    {"pal$ette", 0}, {NULL, 0}};
+    num_t number;
+    if (words_find(alone, lx) >= 0) {
+        lexer_next(lx);
+        if (lexer_is_almost(lx, "frac$tion") || lexer_is_almost(lx, "cb") || lexer_is_almost(lx, "z"))
+            lexer_next(lx);
+        else
+            return 0;
+    } else if (lexer_is_almost(lx, "rgb$color")) {
+        lexer_next(lx);
+        if (lexer_is_almost(lx, "var$iable")) {
+            lexer_next(lx);
+            return 0;
+        }
+    }
+    if (lx->tok.kind == TOKEN_STRING) {
+        lexer_next(lx);
+        return 0;
+    }
+    return expr_number(&s->lang, lx, &number, &s->error);
+}
+
+static int dash(session_t *s, lexer_t *lx) {
+    num_t number;
+    if (lx->tok.kind == TOKEN_STRING || lexer_is_name(lx, "solid")) {
+        lexer_next(lx);
+        return 0;
+    }
+    if (!lexer_accept(lx, '(')) return expr_number(&s->lang, lx, &number, &s->error);
+    do {
+        int err = expr_number(&s->lang, lx, &number, &s->error);
+        if (err) return err;
+    } while (lexer_accept(lx, ','));
+    return lexer_accept(lx, ')') ? 0 : lexer_unexpected(lx, &s->error, "')' expected");
+}
+
+enum look { LOOK_COLOUR, LOOK_DASH, LOOK_NUMBER, LOOK_SIZE, LOOK_PAIR, LOOK_FILL, LOOK_WORD, LOOK_NAME };
+static const word_t look_words[] = {
+    {"lt", LOOK_COLOUR},        {"linet$ype", LOOK_COLOUR},  {"lc", LOOK_COLOUR},       {"linec$olor", LOOK_COLOUR},
+    {"dt", LOOK_DASH},          {"dasht$ype", LOOK_DASH},    {"lw", LOOK_NUMBER},       {"linew$idth", LOOK_NUMBER},
+    {"ls", LOOK_NUMBER},        {"lines$tyle", LOOK_NUMBER}, {"ps", LOOK_SIZE},         {"points$ize", LOOK_SIZE},
+    {"pt", LOOK_SIZE},          {"pointt$ype", LOOK_SIZE},   {"pi", LOOK_NUMBER},       {"pointi$nterval", LOOK_NUMBER},
+    {"nohidden$3d", LOOK_WORD}, {"nocon$tours", LOOK_WORD},  {"nosur$face", LOOK_WORD}, {"noenh$anced", LOOK_WORD},
+    {"enh$anced", LOOK_WORD},   {"pal$ette", LOOK_WORD},     {"ax$es", LOOK_NAME},
+#if CONFIG_LOAD_DEPTH
+    {"fc", LOOK_COLOUR},        {"fillc$olor", LOOK_COLOUR}, {"tc", LOOK_COLOUR},       {"textc$olor", LOOK_COLOUR},
+    {"fs", LOOK_FILL},          {"fill$style", LOOK_FILL},   {"as", LOOK_NUMBER},       {"arrows$tyle", LOOK_NUMBER},
+    {"font", LOOK_NAME},        {"off$set", LOOK_PAIR},      {"rot$ate", LOOK_WORD},    {"by", LOOK_NUMBER},
+    {"size", LOOK_PAIR},        {"left", LOOK_WORD},         {"right", LOOK_WORD},      {"cen$ter", LOOK_WORD},
+    {"box$ed", LOOK_WORD},      {"nohead", LOOK_WORD},       {"head$s", LOOK_WORD},     {"backhead", LOOK_WORD},
+    {"filled", LOOK_WORD},      {"nofilled", LOOK_WORD},     {"empty", LOOK_WORD},      {"fixed", LOOK_WORD},
+    {"point", LOOK_WORD},       {"closed", LOOK_WORD},       {"above", LOOK_WORD},      {"below", LOOK_WORD},
+    {"hyper$text", LOOK_WORD},  {"zsort", LOOK_WORD},        {"pixels", LOOK_WORD},     {"units", LOOK_NAME},
+#endif
+    {NULL, LOOK_WORD},
+};
+
+#if CONFIG_LOAD_DEPTH
+/* Numbers between commas, each perhaps behind the name of its coordinates: 0,1 or character 1,0. */
+static int pair(session_t *s, lexer_t *lx) {
+    num_t number;
+    do {
+        if (lexer_is_almost(lx, "char$acter") || lexer_is_almost(lx, "fi$rst") || lexer_is_almost(lx, "gr$aph") ||
+            lexer_is_almost(lx, "sc$reen"))
+            lexer_next(lx);
+        int err = expr_number(&s->lang, lx, &number, &s->error);
+        if (err) return err;
+    } while (lexer_accept(lx, ','));
+    return 0;
+}
+
+/* solid 0.5, pattern 2, border lt 3 and the like. */
+static int fill(session_t *s, lexer_t *lx) {
+    static const word_t words[] = {{"tr$ansparent", 0}, {"s$olid", 0},    {"p$attern", 0}, {"em$pty", 0},
+                                   {"bo$rder", 0},      {"nobo$rder", 0}, {NULL, 0}};
+    num_t number;
+    while (words_find(words, lx) >= 0 || lx->tok.kind == TOKEN_NUMBER) {
+        int err = 0;
+        if (lx->tok.kind == TOKEN_NUMBER)
+            err = expr_number(&s->lang, lx, &number, &s->error);
+        else
+            lexer_next(lx);
+        if (err) return err;
+    }
+    return 0;
+}
+#endif
+
+static int look(session_t *s, lexer_t *lx, enum look what) {
+    num_t number;
+    switch (what) {
+    case LOOK_COLOUR:
+        return colour(s, lx);
+    case LOOK_DASH:
+        return dash(s, lx);
+    case LOOK_SIZE:
+        if (lexer_is_almost(lx, "var$iable") || lx->tok.kind == TOKEN_STRING) {
+            lexer_next(lx);
+            return 0;
+        } /* fall through */
+    case LOOK_NUMBER:
+        return expr_number(&s->lang, lx, &number, &s->error);
+#if CONFIG_LOAD_DEPTH
+    case LOOK_PAIR:
+        return pair(s, lx);
+    case LOOK_FILL:
+        return fill(s, lx);
+#endif
+    case LOOK_NAME:
+        if (lx->tok.kind != TOKEN_NAME && lx->tok.kind != TOKEN_STRING)
+            return lexer_unexpected(lx, &s->error, "a word expected");
+        lexer_next(lx);
+        return 0;
+    default:
+        return 0;
+    }
+}
+
+int plot_options_style(session_t *s, lexer_t *lx, session_source_t *src) {
+    bool seen_title = false, seen_with = false;
+    for (;;) {
+        int err = 0, index;
+        lexer_t word = *lx;
+        if (lexer_is_almost(lx, "t$itle")) {
+            lexer_next(lx);
+            err = plot_options_twice(s, &word, &seen_title);
+            if (!err) err = title(s, lx, src);
+        } else if (lexer_is_almost(lx, "not$itle")) {
+            lexer_next(lx);
+            err = plot_options_twice(s, &word, &seen_title);
+            src->title_len = 0;
+            if (lx->tok.kind == TOKEN_STRING) lexer_next(lx);
+        } else if (lexer_is_almost(lx, "w$ith")) {
+            lexer_next(lx);
+            err = plot_options_twice(s, &word, &seen_with);
+            if (!err) err = with(s, lx);
+        } else if ((index = words_find(look_words, lx)) >= 0) {
+            lexer_next(lx);
+            err = look(s, lx, (enum look)look_words[index].id);
+        } else {
+            return 0;
+        }
+        if (err) return err;
+    }
+}
