@@ -76,11 +76,15 @@ scene() { # name, most us that an edge may differ, drawings
     again "$@"
 }
 
+scene_file() { # name: the board's own, or that of all
+    if [ -e "tests/emu/scenes/$board/$1.stim" ]; then cat "tests/emu/scenes/$board/$1.stim"; else cat "tests/emu/scenes/$1.stim"; fi
+}
+
 # The board by itself: addresses are put for the @names of its program.
 alone() { # name
     name=$1
     stim=$work/alone.stim
-    cp "tests/emu/scenes/$1.stim" "$stim"
+    scene_file "$1" >"$stim"
     for n in $(grep -o '@[a-z_]*' "$stim" | sort -u); do
         address=$(arm-none-eabi-nm "$build/firmware/$board.elf" | awk -v n="${n#@}" '$3 == n { print $1; exit }')
         sed -i "s/$n/0x$address/" "$stim"

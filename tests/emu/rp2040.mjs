@@ -153,6 +153,10 @@ for (const gpio of Object.keys(PIN)) {
 
 // ---- console and switches
 let text = '';
+const { writeUint32: writeUart } = mcu.uart[0];
+mcu.uart[0].writeUint32 = (offset, value) => {
+  if (offset !== 4) writeUart.call(mcu.uart[0], offset, value); // RSR, which the package lacks: clears errors
+};
 mcu.uart[0].onByte = (byte) => (text += String.fromCharCode(byte));
 const at = (ns, what) => clock.createAlarm(what).schedule(Math.max(0, ns - clock.nanos));
 const unescape = (s) =>
@@ -172,7 +176,9 @@ function play(relative) {
     const ns = origin + s.ns;
     moved = Math.max(moved, ns);
     if (s.verb === 'type') [...unescape(s.rest)].forEach((c, i) => at(ns + i * 10 * BIT_NS, () => mcu.uart[0].feedByte(c.charCodeAt(0))));
-    else if (s.verb === 'input') {
+    else if (s.verb === 'fault') { // a byte as the UART's data register tells it, with its error bits
+      at(ns, () => mcu.uart[0].feedByte(Number(s.rest)));
+    } else if (s.verb === 'input') {
       const [name, value] = s.rest.split(' ');
       at(ns, () => setInput(INPUT[name], value !== '1'));
     } else if (s.verb === 'poke') at(ns, () => poke(...s.rest.split(' ').map(Number)));

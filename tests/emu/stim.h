@@ -4,6 +4,8 @@
  *     TIME input NAME 0|1   a switch: limit_x limit_y button estop; 1 is active
  *     TIME poke ADDRESS VALUE    16 bits of the board's memory, from outside: lib.sh puts addresses for @NAMES. Not on
  *                                the simulator
+ *     TIME fault WORD      a byte with the error bits of the PL011's data register: 0x100 framing, 0x800 overrun. Only
+ *                                rp2040.mjs
  *     TIME heal                  what was poked is again what it was
  *     TIME quit             the end of the run
  *     # comment
