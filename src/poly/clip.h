@@ -26,7 +26,8 @@
  * as one, and the largest mean displacement it saw on small lattices, where the worst happens.
  *
  * Of large polygons most of the border meets nothing. Such stretches are found by their boxes and go through all this
- * as one edge each (clip_stretch.c), which changes nothing but the time.
+ * as one edge each (clip_stretch.c), for the time. The vertices are the same as without, but for one pair among 42,000
+ * large ones, where a crossing was drawn to another vertex half a unit away.
  *
  * Memory is the caller's, CLIP_BYTES(edges of both); ERR_FULL if crossings take more. No recursion. Cost: edges +
  * crossings times the logarithm of the edges that a vertical line meets. Context: main loop. */
