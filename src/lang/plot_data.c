@@ -79,7 +79,11 @@ int plot_data_feed(session_t *s, const char *text, size_t n, bool *stopped) {
 static int trouble(session_t *s, const session_source_t *src, int err, enum data_grid_trouble why, int32_t line,
                    int32_t at) {
     if (why == DATA_OK) return plot_fail(s, src, err, err == ERR_EMPTY ? "no data" : error_text(err));
-    lang_error_set(&s->error, err, at, data_grid_text(why));
+    if (why == DATA_FULL)
+        lang_error_set_number(&s->error, err, at, "more data than the memory for it holds; most bytes",
+                              (int32_t)(s->pool_size * sizeof(packed_t)));
+    else
+        lang_error_set(&s->error, err, at, data_grid_text(why));
     s->error.line = line;
     return err;
 }

@@ -65,6 +65,7 @@ void session_cancel(session_t *s) {
     forget_line(&s->frame[0]);
     if (s->in_last) s->last[s->last_len] = '\0'; /* what replot added is wrong */
     s->plot.waiting = false;
+    s->rows_left = false;
 #if CONFIG_LOAD_DEPTH
     s->in_block = false;
 #endif
@@ -255,18 +256,47 @@ int session_load(session_t *s, const char *name, const lexer_t *at) {
     return 0;
 }
 
+/* Whether a line can only be a row of inline data, or of a solid: a number, or one letter or two and a number. */
+static bool is_row(const char *text) {
+    text += strspn(text, " \t");
+    if (*text == '\0' || *text == '#') return true;
+    if (strchr("vfldog", *text)) {
+        if (text[1] == 'n' || text[1] == 't') text++;
+        text++;
+        if (*text != ' ' && *text != '\t') return false;
+        const bool named = text[-1] == 'o' || text[-1] == 'g';
+        text += strspn(text, " \t");
+        if (named) return *text != '=';
+    }
+    return *text && strchr("+-.0123456789", *text);
+}
+
+/* After an error in inline data come the rest of its rows, if they are sent by a program: they are passed over, up to
+ * and with the line `e`, or up to what is no row. */
+static bool pass_over(session_t *s, const char *text, size_t n) {
+    if (!s->rows_left) return false;
+    if (n == 1 && text[0] == 'e') {
+        s->rows_left = false;
+        return true;
+    }
+    s->rows_left = is_row(text);
+    return s->rows_left;
+}
+
 int session_line(session_t *s, const char *text) {
     session_frame_t *f = &s->frame[0];
     size_t n = strlen(text);
     while (n > 0 && (text[n - 1] == '\n' || text[n - 1] == '\r')) n--;
     int err = 0;
+    bool rows_left = false;
     s->error = (lang_error_t){0};
     f->line++;
-    if (s->quit) return 0;
+    if (s->quit || pass_over(s, text, n)) return 0;
     if (s->plot.waiting) {
-        bool stopped;
+        bool stopped = false;
         err = plot_feed(s, text, n, &stopped);
         if (!err && !stopped) err = plot_feed(s, "\n", 1, &stopped);
+        rows_left = err && !stopped;
 #if CONFIG_LOAD_DEPTH
     } else if (s->in_block) {
         err = block_line(s, text, n);
@@ -283,7 +313,10 @@ int session_line(session_t *s, const char *text) {
         }
     }
     if (!err) err = run(s);
-    return err < 0 ? give_up(s, err) : 0;
+    if (err >= 0) return 0;
+    give_up(s, err);
+    s->rows_left = rows_left;
+    return err;
 }
 
 int session_end(session_t *s) {

@@ -112,6 +112,7 @@ typedef struct session {
     bool in_block;                 /* lines are those of a data block */
     char block[32], block_end[32]; /* its name; the line that ends it */
 #endif
+    bool rows_left; /* the inline data were refused, and rows of them are still coming */
     bool quit;
     bool logscale;                                      /* set logscale, nonlinear */
     enum { AXES_XY, AXES_PARAMETRIC, AXES_POLAR } axes; /* set parametric, polar: what expressions mean */

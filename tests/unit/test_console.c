@@ -33,6 +33,26 @@ static void test_power_on(void **state) {
     assert_false(sim_watchdog_bitten());
 }
 
+/* Rows that were on their way when one was refused are passed over, up to `e` or a command. */
+static void test_refused_rows(void **state) {
+    (void)state;
+    fix_run(SECOND);
+    fix_say("splot '-' solid\ro box\rv 0 0 0\rv 0 0 x\r", 50 * MS);
+    HEARD("line 4, column 7: not a number");
+    fix_forget();
+    fix_say("v 0 1 0\rg side\rf 1 2 3\r\r# end\re\rprint 2+3\r", 50 * MS);
+    HEARD("\r\n5\r\n> ");
+    assert_false(fix_heard("line "));
+    fix_say("splot '-'\r0 0 z\r", 50 * MS);
+    fix_forget();
+    fix_say("0 1 2\r-1.5 1 1\rf(x)=x+1\rprint f(3)\r", 50 * MS);
+    HEARD("\r\n4\r\n> ");
+    assert_false(fix_heard("line "));
+    fix_say("1 2 3\r", 50 * MS); /* a command again */
+    HEARD("column 1");
+    assert_int_equal(fix.edges, 0);
+}
+
 static void test_editing(void **state) {
     (void)state;
     fix_say("prinx\b \bt 2\x7f 2+3\r", 50 * MS);
@@ -326,6 +346,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(test_power_on, on),
         cmocka_unit_test_setup(test_editing, on),
+        cmocka_unit_test_setup(test_refused_rows, on),
         cmocka_unit_test_setup(test_errors_lose_nothing, on),
         cmocka_unit_test_setup(test_overrun, on),
         cmocka_unit_test_setup(test_inline_data, on),
