@@ -697,8 +697,10 @@ bool stepgen_holding(void) {
     return g.want_hold;
 }
 bool stepgen_held(void) {
-    return g.want_hold &&
-           (__atomic_load_n(&g.parked, __ATOMIC_ACQUIRE) || !__atomic_load_n(&g.running, __ATOMIC_ACQUIRE));
+    /* In this order: an interrupt in between that halts has taken the wish back before it says that it stands, or its
+     * edge, which waits for its tick, would be cut and the pen lifted too soon. */
+    const bool stands = __atomic_load_n(&g.parked, __ATOMIC_ACQUIRE) || !__atomic_load_n(&g.running, __ATOMIC_ACQUIRE);
+    return stands && __atomic_load_n(&g.want_hold, __ATOMIC_ACQUIRE);
 }
 
 void stepgen_halt(bool motors_on) {
