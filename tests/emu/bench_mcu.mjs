@@ -115,7 +115,7 @@ function polygons() {
 }
 
 function qemu(board, shape, n, seconds) {
-  const stim = stimulus(shape, n, QUICK.replaceAll('200', '60'), `+${seconds}000000 type memory\\r\n+${seconds + 2}000000 quit`);
+  const stim = stimulus(shape, n, QUICK.replaceAll('200', '60').replace('5000', '3000'), `+${seconds}000000 type memory\\r\n+${seconds + 2}000000 quit`);
   return execFileSync('sh', ['tests/emu/bench_qemu.sh', build, board, stim], { encoding: 'latin1', timeout: 900e3 });
 }
 
