@@ -113,14 +113,10 @@ static bool grid_edge(void *ctx, int32_t e, ink_piece_t *ink, page_h_t end[2], i
 }
 
 int picture_halo_surfaces(picture_t *p, const hidden_job_t *job) {
-#if CONFIG_WAITING > 0 /* little stack */
     hidden_job_t rest = *job;
-    frames_t *f = hidden_lend(&rest, sizeof *f);
+    HIDDEN_STATE(frames_t, f, rest);
     if (!f) return ERR_FULL;
     job = &rest;
-#else
-    frames_t own, *f = &own;
-#endif
     memset(f, 0, sizeof *f);
     f->p = p;
     halo_source_t source = {.ctx = f, .lines = p->lines, .surfaces = p->spaces, .edge = grid_edge};

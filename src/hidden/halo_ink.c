@@ -121,14 +121,9 @@ int halo_ink_draw(const halo_source_t *source, int32_t width, bool ends, const h
     *stats = (hidden_stats_t){0};
     if (source->edges == 0) return 0;
     hidden_job_t rest = *job;
-#if CONFIG_WAITING > 0
-    halo_ink_t *d = hidden_lend(&rest, sizeof *d);
-    halo_t *h = hidden_lend(&rest, sizeof *h);
+    HIDDEN_STATE(halo_ink_t, d, rest);
+    HIDDEN_STATE(halo_t, h, rest);
     if (d == NULL || h == NULL) return ERR_FULL;
-#else
-    halo_ink_t own, *d = &own;
-    halo_t cuts, *h = &cuts;
-#endif
     memset(d, 0, sizeof *d);
     d->source = source;
     d->job = job;

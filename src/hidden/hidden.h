@@ -46,6 +46,12 @@ static inline void *hidden_lend(hidden_job_t *job, size_t bytes) {
     return at;
 }
 
+/* `type *name`: lent by `rest`, a copy of the job, where the stack is small, and may be NULL; else on the stack. */
+#if CONFIG_WAITING > 0
+#define HIDDEN_STATE(type, name, rest) type *name = hidden_lend(&(rest), sizeof *name)
+#else
+#define HIDDEN_STATE(type, name, rest) type name##_own, *name = &name##_own
+#endif
 #define HIDDEN_LENT(type) (CONFIG_WAITING > 0 ? (sizeof(type) + 7) / 8 * 8 : 0)
 
 /* What a drawing took. Filled in also when the kernel ends with an error. */

@@ -126,12 +126,8 @@ size_t horizon_bytes(int32_t vertices) {
 int horizon_draw(const profiles_t *src, const camera_t *cam, bool infinite, const hidden_job_t *job,
                  hidden_stats_t *stats) {
     hidden_job_t rest = *job;
-#if CONFIG_WAITING > 0
-    drawing_t *d = hidden_lend(&rest, sizeof *d);
+    HIDDEN_STATE(drawing_t, d, rest);
     if (d == NULL) return ERR_FULL;
-#else
-    drawing_t own, *d = &own;
-#endif
     memset(d, 0, sizeof *d);
     d->src = src;
     d->pause = job->pause;

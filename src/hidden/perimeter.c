@@ -112,14 +112,10 @@ static int draw(grid_t *const grid[], int32_t n, const camera_t *cam, const hidd
     const int32_t strips = windows || job->strips < 2 ? 1 : job->strips;
     const enum edges_cover cover = windows ? COVER_WINDOWS : strips > 1 ? COVER_STRIP : COVER_HORIZONS;
     *stats = (hidden_stats_t){0};
-#if CONFIG_WAITING > 0
     hidden_job_t rest = *job;
-    sweep_t *s = hidden_lend(&rest, sizeof *s);
+    HIDDEN_STATE(sweep_t, s, rest);
     if (s == NULL) return ERR_FULL;
     job = &rest;
-#else
-    sweep_t own, *s = &own;
-#endif
     if (n > 1 && !several) return ERR_UNSUPPORTED;
     for (int32_t k = 0; k < n; k++) {
         if (k > 0 && !same_points(grid[0], grid[k])) return ERR_UNSUPPORTED;

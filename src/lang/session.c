@@ -273,14 +273,12 @@ static bool is_row(const char *text) {
 
 /* After an error in inline data come the rest of its rows, if they are sent by a program: they are passed over, up to
  * and with the line `e`, or up to what is no row. */
-static bool pass_over(session_t *s, const char *text, size_t n) {
+static bool pass_over(session_t *s, const char *text) {
     if (!s->rows_left) return false;
-    if (n == 1 && text[0] == 'e') {
-        s->rows_left = false;
-        return true;
-    }
-    s->rows_left = is_row(text);
-    return s->rows_left;
+    const char *e = text + strspn(text, " \t");
+    const bool ends = (*e == 'e' || *e == 'E') && e[1 + strspn(e + 1, " \t\r\n")] == '\0';
+    s->rows_left = !ends && is_row(text);
+    return ends || s->rows_left;
 }
 
 int session_line(session_t *s, const char *text) {
@@ -291,7 +289,7 @@ int session_line(session_t *s, const char *text) {
     bool rows_left = false;
     s->error = (lang_error_t){0};
     f->line++;
-    if (s->quit || pass_over(s, text, n)) return 0;
+    if (s->quit || pass_over(s, text)) return 0;
     if (s->plot.waiting) {
         bool stopped = false;
         err = plot_feed(s, text, n, &stopped);

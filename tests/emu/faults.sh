@@ -6,20 +6,10 @@ if [ $board = rp2040 ]; then # QEMU's UARTs make no such errors
     alone line_faults
     says '^42.?$'
     says '^5.?$'
-    if [ "$(grep -ac 'the line was damaged on its way and was not taken' "$work/emu.said")" = 4 ]; then
-        echo "[       OK ] $board line_faults: four lines refused"
-    else
-        bad 'line_faults: not four lines refused'
-        cat "$work/emu.txt"
-    fi
+    says_times 4 'the line was damaged on its way and was not taken' 'four lines refused'
 fi
 [ $board = nrf51 ] && return # QEMU has no model of its watchdog
 alone hang
 [ $board = lm3s6965 ] || rests 8.5 9.2 # QEMU's reset of that chip does not show at its pins
 says '<Idle.MPos:.Pen:up>'
-if [ "$(grep -ac 'help, help board' "$work/emu.said")" = 2 ]; then
-    echo "[       OK ] $board hang: the watchdog starts it again"
-else
-    bad 'hang: not started again'
-    cat "$work/emu.txt"
-fi
+says_times 2 'help, help board' 'the watchdog starts it again'

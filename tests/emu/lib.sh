@@ -169,6 +169,15 @@ says() { # text
     fi
 }
 
+says_times() { # number, text, what it shows
+    if [ "$(grep -ac -e "$2" "$work/emu.said")" = "$1" ]; then
+        echo "[       OK ] $board $name: $3"
+    else
+        bad "$name: does not say $1 times $2"
+        cat "$work/emu.txt"
+    fi
+}
+
 bad() {
     echo "$board $*"
     failed=$((failed + 1))

@@ -40,7 +40,7 @@ static void test_refused_rows(void **state) {
     fix_say("splot '-' solid\ro box\rv 0 0 0\rv 0 0 x\r", 50 * MS);
     HEARD("line 4, column 7: not a number");
     fix_forget();
-    fix_say("v 0 1 0\rg side\rf 1 2 3\r\r# end\re\rprint 2+3\r", 50 * MS);
+    fix_say("v 0 1 0\rg side\rf 1 2 3\r\r# end\r E \rprint 2+3\r", 50 * MS);
     HEARD("\r\n5\r\n> ");
     assert_false(fix_heard("line "));
     fix_say("splot '-'\r0 0 z\r", 50 * MS);
