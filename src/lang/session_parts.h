@@ -10,6 +10,19 @@
 
 /* session.c: the source of lines that is read now */
 session_frame_t *session_top(session_t *s);
+/* session_lines.c: the frame's logical line is forgotten; gets characters; is complete: either it is to be continued or
+ * begins to be executed. */
+void session_forget_line(session_frame_t *f);
+int session_append(session_t *s, session_frame_t *f, const char *text, size_t n);
+void session_end_line(session_frame_t *f);
+/* The next logical line of a loaded file: 1, 0 at its end, or an error. One line, or piece of a line, of inline data,
+ * or of a data block, in it. */
+int session_next_line(session_t *s, session_frame_t *f);
+int session_file_data(session_t *s, session_frame_t *f);
+int session_file_block(session_t *s, session_frame_t *f);
+#define SESSION_NO_END "the data block has no end"
+/* session_rows.c: is this line a row that is passed over? */
+bool session_pass_over(session_t *s, const char *text);
 /* session_report.c: tells s->error */
 void session_report(session_t *s);
 /* Is the current token the end of a command? */
@@ -34,8 +47,16 @@ int command_execute(session_t *s, lexer_t *lx);
 
 /* set.c */
 int set_command(session_t *s, lexer_t *lx);
-int set_unset_command(session_t *s, lexer_t *lx);
+int set_unset_command(session_t *s, lexer_t *lx); /* unset.c */
 void set_reset(session_t *s);
+/* The index in words_set of the option at lx, or an error that says what is missing; the error for one of `show` only.
+ */
+int set_find_option(session_t *s, lexer_t *lx, const char *missing);
+int set_unknown(session_t *s, const lexer_t *word);
+/* The tics that an option of gnuplot is about, or 0. */
+uint8_t set_tics_of(uint8_t id);
+/* What makes axes of another kind: on or off. Is it such an option? */
+bool set_axes(session_t *s, uint8_t id, bool on);
 /* An integer within [lo, hi]; what names it in the message. */
 int set_integer(session_t *s, lexer_t *lx, int32_t lo, int32_t hi, int32_t *out, const char *message);
 /* A number times 10^decimals, rounded, within [lo, hi] (already scaled). */
@@ -75,7 +96,12 @@ void show_wiring(const machine_t *m, text_t *t);
 
 /* show.c, help.c */
 int show_command(session_t *s, lexer_t *lx);
+/* show_symbols.c, show_light.c, show_machine.c */
+void show_symbols(session_t *s, enum symbol_kind kind);
+void show_pens(text_t *t, const settings_t *set);
+void show_lights(text_t *t, const settings_t *set);
 void show_machine(session_t *s, text_t *t);
+void show_value(text_t *t, const char *word, int64_t v, int decimals); /* v / 10^decimals */
 int help_command(session_t *s, lexer_t *lx);
 
 /* block.c. `$name`, at its $, with the $ into out; `$name << END`; one physical line of the block, or its end */

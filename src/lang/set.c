@@ -1,4 +1,4 @@
-/* set.c - `set` and `unset`: which option, and the options that are one number or one text. */
+/* set.c - `set`: which option, and the options that are one number or one text. */
 #include "lang/session_parts.h"
 #include "scene/grid.h"
 
@@ -68,7 +68,7 @@ static bool is_lines_style(lexer_t lx) {
 }
 
 /* The tics that option `id` of gnuplot is about, or 0. */
-static uint8_t tics_of(uint8_t id) {
+uint8_t set_tics_of(uint8_t id) {
     switch (id) {
     case SET_XTICS:
         return SETTINGS_TICS_X;
@@ -94,14 +94,14 @@ static int set_border(session_t *s, lexer_t *lx) {
     return 0;
 }
 
-static int find_option(session_t *s, lexer_t *lx, const char *missing) {
+int set_find_option(session_t *s, lexer_t *lx, const char *missing) {
     int index = words_find(words_set, lx);
     if (index >= 0) return index;
     if (lx->tok.kind != TOKEN_NAME) return lexer_unexpected(lx, &s->error, missing);
     return lang_error_set_name(&s->error, ERR_NAME, lexer_column(lx), "unknown option", lexer_text(lx), lx->tok.len);
 }
 
-static int unknown(session_t *s, const lexer_t *word) {
+int set_unknown(session_t *s, const lexer_t *word) {
     return lang_error_set_name(&s->error, ERR_NAME, lexer_column(word), "an option of `show` only", lexer_text(word),
                                word->tok.len);
 }
@@ -122,7 +122,7 @@ static bool is_of_xyz(const lexer_t *lx) {
 }
 
 /* What makes axes of another kind: on or off. Is it such an option? */
-static bool set_axes(session_t *s, uint8_t id, bool on) {
+bool set_axes(session_t *s, uint8_t id, bool on) {
     if (id == SET_LOGSCALE) s->logscale = on;
     if (id == SET_POLAR) s->axes = on ? AXES_POLAR : AXES_XY;
     if (id == SET_PARAMETRIC) s->axes = on ? AXES_PARAMETRIC : AXES_XY;
@@ -136,7 +136,7 @@ int set_command(session_t *s, lexer_t *lx) {
         return set_unset_command(s, lx);
     }
     lexer_t word = *lx;
-    int index = find_option(s, lx, "an option expected; try `help set`");
+    int index = set_find_option(s, lx, "an option expected; try `help set`");
     if (index < 0) return index;
     settings_t *set = &s->settings;
     lexer_next(lx);
@@ -204,7 +204,7 @@ int set_command(session_t *s, lexer_t *lx) {
     case SET_XTICS:
     case SET_YTICS:
     case SET_ZTICS:
-        set->tics |= tics_of(words_set[index].id);
+        set->tics |= set_tics_of(words_set[index].id);
         if (words_set[index].id == SET_BORDER) {
             int err = set_border(s, lx);
             if (err) return err;
@@ -228,113 +228,6 @@ int set_command(session_t *s, lexer_t *lx) {
         session_skip(lx);
         return 0;
     default:
-        return unknown(s, &word);
-    }
-}
-
-int set_unset_command(session_t *s, lexer_t *lx) {
-    lexer_t word = *lx;
-    int index = find_option(s, lx, "an option expected; try `help unset`");
-    if (index < 0) return index;
-    settings_t *set = &s->settings;
-    settings_t fresh;
-    lexer_next(lx);
-    uint8_t id = words_set[index].id;
-    if (set_axes(s, id, false)) {
-        session_skip(lx);
-        return 0;
-    }
-    if (id == SET_IGNORED || id == SET_STYLE || id == SET_BORDER || tics_of(id) ||
-        (!CONFIG_PARAMETRIC && (id == SET_URANGE || id == SET_VRANGE))) {
-        set->tics &= (uint8_t)~tics_of(id);
-        if (id == SET_BORDER) set->border_base = false;
-        session_warn_once(s, s->warned_set, index, "unset ", &word, " is ignored");
-        session_skip(lx);
-        return 0;
-    }
-#if CONFIG_AREA
-    if (id == SET_LIGHT) return set_no_light(s, lx);
-#endif
-    int err = session_expect_end(s, lx);
-    if (err) return err;
-    settings_default(&fresh);
-    switch (id) {
-    case SET_ANGLES:
-        s->lang.degrees = false;
-        return 0;
-    case SET_AUTOSCALE:
-        return 0; /* ranges that were set stay set */
-    case SET_DATAFILE:
-        s->separator = 0;
-        return 0;
-    case SET_DUMMY:
-        memcpy(s->dummy[0], "x", 2);
-        memcpy(s->dummy[1], "y", 2);
-        return 0;
-    case SET_HALO:
-        set->halo_um = fresh.halo_um;
-        set->halo_ends = fresh.halo_ends;
-        return 0;
-#if CONFIG_AREA
-    case SET_CREASE:
-        set->crease_mdeg = 0;
-        return 0;
-    case SET_PEN:
-        memcpy(set->pen, fresh.pen, sizeof fresh.pen);
-        return 0;
-    case SET_HATCH:
-        set->hatch_um = 0;
-        return 0;
-    case SET_SHADOW:
-        set->shadow = set->shadow_outline = false;
-        return 0;
-#endif
-    case SET_HIDDEN3D:
-        set->hidden = HIDDEN_NONE;
-        set->dashed = false;
-#if CONFIG_AREA
-        set->outline = set->seams = false;
-#endif
-        return 0;
-    case SET_ISOSAMPLES:
-        memcpy(set->isosamples, fresh.isosamples, sizeof fresh.isosamples);
-        return 0;
-    case SET_MACHINE:
-        set->machine = fresh.machine;
-        return 0;
-    case SET_PAPER:
-        set->paper = fresh.paper;
-        return 0;
-    case SET_SAMPLES:
-        memcpy(set->samples, fresh.samples, sizeof fresh.samples);
-        return 0;
-    case SET_TITLE:
-        set->title[0] = '\0';
-        return 0;
-    case SET_VIEW:
-        set->view = fresh.view;
-        return 0;
-#if CONFIG_PARAMETRIC
-    case SET_URANGE:
-    case SET_VRANGE:
-        s->uv[id == SET_VRANGE] = fresh.x;
-        return 0;
-#endif
-    case SET_XRANGE:
-        set->x = fresh.x;
-        return 0;
-    case SET_YRANGE:
-        set->y = fresh.y;
-        return 0;
-    case SET_ZRANGE:
-        set->z = fresh.z;
-        return 0;
-    case SET_XYPLANE:
-    case SET_TICSLEVEL:
-        set->xyplane_at = fresh.xyplane_at;
-        set->xyplane = fresh.xyplane;
-        return 0;
-    default:
-        return unknown(s, &word);
+        return set_unknown(s, &word);
     }
 }

@@ -76,39 +76,6 @@ static void show_paper(text_t *t, const settings_t *set) {
     text_add(t, "\n");
 }
 
-static void show_value(text_t *t, const char *word, int64_t v, int decimals) {
-    text_add(t, word);
-    text_add_scaled(t, v, decimals);
-}
-
-void show_machine(session_t *s, text_t *t) {
-    const machine_t *m = &s->settings.machine;
-    text_add(t, "set machine steps ");
-    for (int k = 0; k < 2; k++) {
-        if (k) text_add(t, ",");
-        text_add_num(t, num_from_fixed(m->steps_per_mm_q16[k], 16));
-    }
-    show_value(t, " speed ", m->draw_speed_um_s, 3);
-    show_value(t, " travel ", m->travel_speed_um_s, 3);
-    show_value(t, " accel ", m->accel_um_s2, 3);
-    show_value(t, " junction ", m->junction_um, 3);
-    show_value(t, " lift ", m->lift_us, 6);
-    show_value(t, " lower ", m->lower_us, 6);
-    show_value(t, " enable ", m->enable_us, 6);
-    text_add(t, "\nset machine"); /* a line that the smallest board takes back */
-    show_value(t, " pulse ", m->pulse_ns, 3);
-    show_value(t, " setup ", m->dir_setup_ns, 3);
-    text_add(t, m->swap_xy ? " swap" : " noswap");
-    text_add(t, m->kinematics == MACHINE_COREXY ? " corexy" : " cartesian");
-    if (m->width_um || m->height_um) {
-        show_value(t, " size ", m->width_um, 3);
-        show_value(t, ",", m->height_um, 3);
-    } else {
-        text_add(t, " size none");
-    }
-    text_add(t, "\n");
-}
-
 static void show_xyplane(text_t *t, const settings_t *set) {
     text_add(t, set->xyplane_at ? "set xyplane at " : "set xyplane relative ");
     text_add_num(t, set->xyplane);
@@ -133,62 +100,6 @@ static void show_datafile(const session_t *s, text_t *t) {
         text_add(t, "whitespace\n");
     }
 }
-
-static void show_symbols(session_t *s, enum symbol_kind kind) {
-    const lang_t *l = &s->lang;
-    for (int i = 0; i < l->symbols; i++) {
-        const symbol_t *y = &l->symbol[i];
-        if (y->kind != kind || !y->defined) continue;
-        char line[128];
-        text_t t = text_start(line, sizeof line - 1);
-        text_add_bytes(&t, (const char *)l->pool + y->name, y->name_len);
-        if (kind == SYMBOL_VARIABLE) {
-            char value[VALUE_TEXT_MAX];
-            text_add(&t, " = ");
-            text_add_bytes(&t, value, value_format(y->u.value, value));
-        } else {
-            text_add(&t, "() of ");
-            text_add_int(&t, y->params);
-            text_add(&t, y->params == 1 ? " argument" : " arguments");
-        }
-        t.size++;
-        text_add(&t, "\n");
-        s->port->print(s->port->ctx, line);
-    }
-}
-
-#if CONFIG_AREA
-static void show_pens(text_t *t, const settings_t *set) {
-    bool same = true;
-    for (int k = 1; k < LINE_CLASSES; k++) same &= set->pen[k] == set->pen[0];
-    text_add(t, "set pen");
-    for (int k = 0; k < (same ? 1 : LINE_CLASSES); k++) {
-        text_add(t, " ");
-        if (!same) text_add(t, set_pen_class(k));
-        if (!same) text_add(t, " ");
-        text_add_int(t, set->pen[k]);
-    }
-    text_add(t, "\n");
-}
-
-#endif
-
-#if CONFIG_AREA
-static void show_lights(text_t *t, const settings_t *set) {
-    bool several = !set->light[0].on;
-    for (int k = 1; k < LIGHTS_MAX; k++) several |= set->light[k].on;
-    if (several) text_add(t, "unset light; unset light 1\n");
-    for (int k = 0; k < LIGHTS_MAX; k++) {
-        if (!set->light[k].on) continue;
-        text_add(t, "set light ");
-        if (several) text_add_int(t, k + 1);
-        if (several) text_add(t, " ");
-        if (set->light[k].point) text_add(t, "from ");
-        for (int i = 0; i < 3; i++) show_value(t, i ? "," : "", set->light[k].milli[i], 3);
-        text_add(t, "\n");
-    }
-}
-#endif
 
 /* One option; false if there is nothing to tell. */
 static bool show_option(session_t *s, uint8_t id) {
