@@ -51,7 +51,7 @@ static void port_warn(void *ctx, const char *text) {
 
 static block_t *find_block(const char *name) {
     block_t *b = script.block;
-    while (b && strcmp(b->name, name)) b = b->next;
+    while (b && strcmp(b->name, name) != 0) b = b->next;
     return b;
 }
 
