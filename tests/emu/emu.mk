@@ -27,6 +27,13 @@ $(EMUDIR)/node_modules/.ready: tests/emu/package.json tests/emu/package-lock.jso
 	$(Q)cd $(EMUDIR) && npm ci --silent --no-audit --no-fund >npm.log 2>&1 || { cat npm.log; exit 1; }
 	$(Q)touch $@
 
+.PHONY: try-pico
+try-pico: ## the Pico's console in this terminal, on an emulated board: no hardware needed
+	$(Q)sh .ci/deps.sh firmware emu
+	+$(Q)$(again) -s $(EMUDIR)/node_modules/.ready $(FWDIR)/rp2040.bin >&2
+	$(Q)mkdir -p $(BUILDDIR)/try
+	$(Q)EMU_MODULES=$(EMUDIR) node tests/emu/try.mjs $(FWDIR)/rp2040.bin $(BUILDDIR)/try/pico.svg $(BUILDDIR)/try/pico.flash
+
 include tests/emu/bare/bare.mk
 BOARD_TESTS := $(wildcard tests/emu/test_*.sh)
 BOARD_NEEDS += $(EMUDIR)/scope.so $(EMUDIR)/node_modules/.ready $(BOARDS:%=$(EMUDIR)/sim-%) $(IMAGES)

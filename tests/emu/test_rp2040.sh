@@ -8,4 +8,10 @@ scene rate 0.8 # as fast as `set machine` lets it
 . tests/emu/power.sh
 . tests/emu/wiring.sh
 . tests/emu/faults.sh
+# The board at a terminal (make try-pico), its lines from a pipe.
+name=try-pico
+printf 'set paper 40,40 margin 5; set isosamples 5\nsplot x*y\nprint 6*7\n' |
+    EMU_MODULES=$build/emu timeout 100 node tests/emu/try.mjs "$build/firmware/rp2040.bin" "$work/try.svg" "$work/try.flash" >"$work/emu.said" 2>&1
+says '^.5 strokes in [0-9.]+ s of the machine'
+says '^42'
 finish
