@@ -5,7 +5,7 @@
 #include "error.h"
 #include "hidden/heap_sort.h"
 #include "num/ints.h"
-#include "scene/solid_math.h"
+#include "view/solid_side.h"
 
 area_box_t area_box_of(const poly_vertex_t *v, int32_t n) {
     area_box_t b = {v[0].at.x, v[0].at.y, v[0].at.x, v[0].at.y};
@@ -88,9 +88,7 @@ int64_t area_slack(const area_lattice_t *l, const area_face_t *f, int64_t z) {
 bool area_looks_at_eye(const solid_map_t *m, int32_t face) {
     const solid_vertex_t *p = &m->solid->vertex[m->solid->corner[m->solid->face[face].corner]];
     solid_normal_t n = solid_face_normal(m->solid, face);
-    wide_t sum = {0, 0};
-    for (int k = 0; k < 3; k++) sum = wide_add(sum, wide_mul_s64(n.n[k], m->eye.e[k] - p->at[k] * m->eye.w));
-    return wide_sign(sum) > 0;
+    return solid_side_exact(m, &n, p) > 0;
 }
 
 /* Clips a face in space by a border of what can be drawn: from `from` to `to`, which has room for `most`. Returns how
@@ -146,11 +144,14 @@ static bool has_holes(const solid_t *s, const solid_face_t *f) {
     return false;
 }
 
-/* Is a face no wider than its corners' rounding? Near the eye that may look like something, which hides nothing. */
-static bool is_line(const solid_t *s, int32_t face) {
+/* Is a face no wider than its corners' rounding, or the eye in its plane? Close by that may look like something, which
+ * hides nothing. */
+static bool is_line(const solid_map_t *m, int32_t face) {
+    const solid_t *s = m->solid;
     const solid_face_t *f = &s->face[face];
     const solid_normal_t n = solid_face_normal(s, face);
     const solid_vertex_t *first = &s->vertex[s->corner[f->corner]];
+    if (solid_side(m, &n, first) == 0 && solid_face_is_flat(s, face, &n)) return true;
     uint64_t area2 = 0, far = 0;
     for (int k = 0; k < 3; k++) area2 += solid_abs(n.n[k]);
     for (int32_t c = 1; c < f->n; c++) {
@@ -197,7 +198,7 @@ int area_faces_make(area_faces_t *faces, int32_t *corner_edge, uint8_t *state, a
         if (n < 3 || !span(l, f, v, scratch)) continue;
         f->box = area_box_of(v, n);
         const poly_t whole = {v, &f->n, 1};
-        if (area_is_thin(&whole, &f->box) || (f->deep && is_line(s, k))) continue;
+        if (area_is_thin(&whole, &f->box) || (f->deep && is_line(m, k))) continue;
         state[k] = AREA_TAKES_PART;
         faces->vertices += n;
         faces->n++;

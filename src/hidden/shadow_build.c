@@ -2,98 +2,15 @@
  *
  * Counted first, then laid out, then filled in: a part is known only by its place in the order of faces. */
 #include "error.h"
-#include "hidden/shadow.h"
+#include "hidden/shadow_sides.h"
 #include "hidden/triangulate.h"
 #include "num/ints.h"
-#include "scene/solid_math.h"
-#include <string.h>
-
-/* Which side of a plane through p the eye is on. An eye as near to it as its vertices may be off for being rounded is
- * in it: whatever that face is of, it does not hide half of the world. */
-static int eye_side(const shadows_t *s, const solid_normal_t *n, const solid_vertex_t *p) {
-    const solid_eye_t *eye = &s->map->eye;
-    wide_t sum = {0, 0};
-    for (int k = 0; k < 3; k++) sum = wide_add(sum, wide_mul_s64(n->n[k], eye->e[k] - p->at[k] * eye->w));
-    const int sign = wide_sign(sum);
-    if (eye->w == 0 || sign == 0) return sign;
-    const uint64_t size = solid_abs(n->n[0]) + solid_abs(n->n[1]) + solid_abs(n->n[2]);
-    const wide_u_t near = wide_mul_u64(size, SOLID_FLAT * (uint64_t)eye->w); /* 2^60 2^24 */
-    return wide_cmp(sign < 0 ? wide_neg(sum) : sum, (wide_t){(int64_t)near.hi, near.lo}) <= 0 ? 0 : sign;
-}
-
-static const solid_vertex_t *corner_of(const shadows_t *s, int32_t f, int32_t k) {
-    const solid_t *solid = s->map->solid;
-    return &solid->vertex[solid->corner[solid->face[f].corner + k]];
-}
-
-static void find_sides(shadows_t *s) {
-    const solid_t *solid = s->map->solid;
-    for (int32_t f = 0; f < solid->nf; f++) {
-        solid_normal_t n = solid_face_normal(solid, f);
-        int side = eye_side(s, &n, corner_of(s, f, 0));
-        s->face[f] = side > 0 ? SHADOW_FRONT : side < 0 ? SHADOW_AWAY : SHADOW_EDGE_ON;
-        const bool known = solid->object[solid->face[f].object].kind == SOLID_CONVEX;
-        if (!known && !solid_face_is_convex(solid, f, &n)) s->face[f] |= SHADOW_BENT;
-    }
-}
-
-static int32_t side_of(const shadows_t *s, int32_t f) {
-    return s->face[f] & SHADOW_SIDE;
-}
-
-/* A line from the eye along x: does it pass face f's picture along x, and is the face's plane in front of it there? */
-static bool ray_meets(const shadows_t *s, int32_t f) {
-    const solid_eye_t *e = &s->map->eye;
-    const int32_t corners = s->map->solid->face[f].n;
-    bool odd = false;
-    for (int32_t k = 0; k < corners; k++) {
-        const solid_vertex_t *p = corner_of(s, f, k), *q = corner_of(s, f, k + 1 < corners ? k + 1 : 0);
-        int64_t py = p->at[1] * e->w - e->e[1], pz = p->at[2] * e->w - e->e[2];
-        int64_t qy = q->at[1] * e->w - e->e[1], qz = q->at[2] * e->w - e->e[2];
-        if ((pz > 0) == (qz > 0)) continue;
-        int sign = wide_det_sign(py, pz, qy, qz);
-        odd ^= qz > pz ? sign > 0 : sign < 0;
-    }
-    if (!odd) return false;
-    solid_normal_t n = solid_face_normal(s->map->solid, f);
-    int side = side_of(s, f) == SHADOW_FRONT ? 1 : side_of(s, f) == SHADOW_AWAY ? -1 : 0;
-    return n.n[0] > 0 ? side < 0 : side > 0;
-}
-
-enum { ODD = 0x80, SEEN = 0x40 };
-
-/* An eye inside of a closed object sees its faces from within: they are those of an open one. Inside, a line that goes
- * out meets an odd number of faces; and an object no face of which looks at the eye has it inside or in its surface. */
-static void find_inside(shadows_t *s) {
-    const solid_t *solid = s->map->solid;
-    for (int32_t o = 0; o < solid->no; o++) s->object[o] = solid->object[o].kind;
-    if (s->map->eye.w == 0) return;
-    for (int32_t f = 0; f < solid->nf; f++) {
-        uint8_t *o = &s->object[solid->face[f].object];
-        if (ray_meets(s, f)) *o ^= ODD;
-        if (side_of(s, f) == SHADOW_FRONT) *o |= SEEN;
-    }
-    for (int32_t o = 0; o < solid->no; o++)
-        s->object[o] = (s->object[o] & (ODD | SEEN)) == SEEN ? solid->object[o].kind : SOLID_OPEN;
-}
-
-bool shadows_is_candidate(const shadows_t *s, const solid_edge_t *edge) {
-    int32_t any = edge->face[0] >= 0 ? edge->face[0] : edge->face[1];
-    if (any < 0 || s->object[s->map->solid->face[any].object] == SOLID_OPEN) return true;
-    for (int k = 0; k < 2; k++)
-        if (edge->face[k] >= 0 && side_of(s, edge->face[k]) == SHADOW_FRONT) return true;
-    return false;
-}
-
-bool shadows_is_outline(const shadows_t *s, const solid_edge_t *e) {
-    return e->face[0] >= 0 && e->face[1] >= 0 &&
-           (side_of(s, e->face[0]) == SHADOW_FRONT) != (side_of(s, e->face[1]) == SHADOW_FRONT);
-}
+#include "view/solid_side.h"
 
 /* Does the face, by itself, hide anything? */
 static bool is_part(const shadows_t *s, int32_t f) {
     const solid_face_t *face = &s->map->solid->face[f];
-    int32_t side = side_of(s, f);
+    int32_t side = shadow_side_of(s, f);
     if (s->object[face->object] == SOLID_OPEN) return (s->face[f] & SHADOW_BENT) || side != SHADOW_EDGE_ON;
     return (s->face[f] & SHADOW_BENT) || side == SHADOW_FRONT;
 }
@@ -121,7 +38,7 @@ static counts_t count(const shadows_t *s) {
     for (int32_t o = 0; o < solid->no; o++) c.parts += is_whole(s, o);
     for (int32_t f = 0; f < solid->nf; f++) {
         if (is_whole(s, solid->face[f].object)) {
-            c.planes += side_of(s, f) == SHADOW_FRONT;
+            c.planes += shadow_side_of(s, f) == SHADOW_FRONT;
         } else if (is_part(s, f)) {
             int32_t n = solid->face[f].n;
             bool bent = s->face[f] & SHADOW_BENT;
@@ -192,14 +109,14 @@ static void add_triangle(void *ctx, const int32_t v[3]) {
     filling_t *fill = ctx;
     const solid_vertex_t *vertex = fill->s->map->solid->vertex;
     solid_normal_t n = solid_cross(solid_sub(&vertex[v[1]], &vertex[v[0]]), solid_sub(&vertex[v[2]], &vertex[v[0]]));
-    int side = eye_side(fill->s, &n, &vertex[v[0]]);
+    int side = solid_side(fill->s->map, &n, &vertex[v[0]]);
     if (side > 0 || (side < 0 && fill->open)) add_polygon(fill->s, &fill->at, v, 3, &n, side < 0);
 }
 
 static int triangle_side(const shadows_t *s, const int32_t v[3]) {
     const solid_vertex_t *vertex = s->map->solid->vertex;
     solid_normal_t n = solid_cross(solid_sub(&vertex[v[1]], &vertex[v[0]]), solid_sub(&vertex[v[2]], &vertex[v[0]]));
-    return eye_side(s, &n, &vertex[v[0]]);
+    return solid_side(s->map, &n, &vertex[v[0]]);
 }
 
 /* A quadrilateral that is not flat or not convex. Of its two diagonals the one is taken whose triangles look the same
@@ -223,7 +140,7 @@ static int add_bent(filling_t *fill, int32_t f, const solid_normal_t *n, void *s
     const solid_t *solid = fill->s->map->solid;
     const solid_face_t *face = &solid->face[f];
     fill->open = fill->s->object[face->object] == SOLID_OPEN;
-    fill->away = side_of(fill->s, f) == SHADOW_AWAY;
+    fill->away = shadow_side_of(fill->s, f) == SHADOW_AWAY;
     if (face->n == 4) {
         add_cell(fill, solid->corner + face->corner);
         return 0;
@@ -246,7 +163,7 @@ static int fill_faces(filling_t *fill, void *spare, size_t bytes) {
             if (err) return err;
         } else {
             const int32_t *corner = solid->corner + face->corner;
-            add_polygon(fill->s, &fill->at, corner, face->n, &n, side_of(s, f) == SHADOW_AWAY)->owner = f;
+            add_polygon(fill->s, &fill->at, corner, face->n, &n, shadow_side_of(s, f) == SHADOW_AWAY)->owner = f;
         }
     }
     return 0;
@@ -264,7 +181,7 @@ static void fill_objects(shadows_t *s, counts_t *at, int32_t *part) {
     for (int32_t f = 0; f < solid->nf; f++) {
         if (!is_whole(s, solid->face[f].object)) continue;
         shadow_t *of = &s->list[part[solid->face[f].object]];
-        of->planes += side_of(s, f) == SHADOW_FRONT;
+        of->planes += shadow_side_of(s, f) == SHADOW_FRONT;
         for (int32_t k = 0; k < solid->face[f].n; k++) stretch(s, of, solid->corner[solid->face[f].corner + k]);
     }
     for (int32_t e = 0; e < solid->ne; e++)
@@ -279,16 +196,16 @@ static void fill_objects(shadows_t *s, counts_t *at, int32_t *part) {
         of->planes = of->outlines = 0;
     }
     for (int32_t f = 0; f < solid->nf; f++) {
-        if (!is_whole(s, solid->face[f].object) || side_of(s, f) != SHADOW_FRONT) continue;
+        if (!is_whole(s, solid->face[f].object) || shadow_side_of(s, f) != SHADOW_FRONT) continue;
         shadow_t *of = &s->list[part[solid->face[f].object]];
         solid_normal_t n = solid_face_normal(solid, f);
-        set_plane(&s->plane[of->plane + of->planes++], &n, corner_of(s, f, 0), false);
+        set_plane(&s->plane[of->plane + of->planes++], &n, shadow_corner(s, f, 0), false);
     }
     for (int32_t k = 0; k < solid->ne; k++) {
         const solid_edge_t *e = &solid->edge[k];
         if (!is_outline(s, e)) continue;
         shadow_t *of = &s->list[part[solid->face[e->face[0]].object]];
-        bool up = side_of(s, e->face[0]) == SHADOW_FRONT;
+        bool up = shadow_side_of(s, e->face[0]) == SHADOW_FRONT;
         s->outline[of->outline + of->outlines++] =
             up ? (shadow_edge_t){e->v[0], e->v[1]} : (shadow_edge_t){e->v[1], e->v[0]};
     }
@@ -312,8 +229,7 @@ int shadows_build(shadows_t *s, const solid_map_t *map, void *mem, size_t bytes)
     s->face = take(&at, end, solid->nf, 1);
     s->object = take(&at, end, solid->no, 1);
     if (!at) return ERR_FULL;
-    find_sides(s);
-    find_inside(s);
+    shadow_sides_find(s);
     counts_t c = count(s);
     s->list = take(&at, end, c.parts, sizeof *s->list);
     s->plane = take(&at, end, c.planes, sizeof *s->plane);

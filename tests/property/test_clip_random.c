@@ -290,7 +290,39 @@ static void random_large(shape_t *s, uint64_t *rng, int kind, double size) {
     }
 }
 
-/* Results must be the same, vertex by vertex, whether stretches of border are swept as one edge or not. */
+static bool is_same(const shape_t *a, const shape_t *b) {
+    return a->out.n == b->out.n && a->out.contours == b->out.contours &&
+           !memcmp(a->v, b->v, (size_t)a->out.n * sizeof a->v[0]) &&
+           !memcmp(a->outer, b->outer, (size_t)a->out.contours * sizeof(int32_t));
+}
+
+static double distance(poly_point_t p, poly_point_t a, poly_point_t b) {
+    double dx = b.x - a.x, dy = b.y - a.y, px = p.x - a.x, py = p.y - a.y, length2 = dx * dx + dy * dy;
+    double t = length2 > 0 ? fmin(fmax((px * dx + py * dy) / length2, 0), 1) : 0;
+    return hypot(px - t * dx, py - t * dy);
+}
+
+/* How far the farthest vertex of a is from b's border. */
+static double farthest(const shape_t *a, const shape_t *b) {
+    double worst = 0;
+    for (int i = 0; i < a->out.n; i++) {
+        double least = INFINITY;
+        for (int c = 0, first = 0; c < b->out.contours; first = b->end[c++])
+            for (int k = first; k < b->end[c]; k++)
+                least = fmin(least, distance(a->v[i].at, b->v[k].at, b->v[k + 1 < b->end[c] ? k + 1 : first].at));
+        worst = fmax(worst, least);
+    }
+    return worst;
+}
+
+static struct {
+    int stretched, differ;
+    double worst;
+} large;
+
+/* Results must be the same, vertex by vertex, whether stretches of border are swept as one edge or not. Edges that all
+ * but coincide may be rounded in another order, though, or in another sweep: then neither may be off by more than its
+ * own roundings, against the exact areas and against the other. */
 static const char *judge_large(enum clip_fill fill, bool slabs, bool *stretched) {
     static shape_t plain[2];
     clip_t work;
@@ -301,6 +333,7 @@ static const char *judge_large(enum clip_fill fill, bool slabs, bool *stretched)
             clear(&plain[i]);
             if (clip_trace(&work, i, &plain[i].out)) return "error";
         }
+        const int sweeps = work.stats.sweeps;
         if (clip_run_by(&work, &job, memory, sizeof memory, true)) return "error";
         *stretched = work.stretches > 0;
         for (int i = 0; i < 2; i++) {
@@ -310,10 +343,12 @@ static const char *judge_large(enum clip_fill fill, bool slabs, bool *stretched)
             if (clip_trace(&work, i, &r->out)) return "error";
             r->poly.contours = r->out.contours;
             if (counted < r->out.n) return "fewer were counted";
-            if (r->out.n != plain[i].out.n || r->out.contours != plain[i].out.contours) return "not the same contours";
-            if (memcmp(r->v, plain[i].v, (size_t)r->out.n * sizeof r->v[0])) return "not the same vertices";
-            if (memcmp(r->outer, plain[i].outer, (size_t)r->out.contours * sizeof(int32_t)))
-                return "not the same holes";
+            if (is_same(r, &plain[i])) continue;
+            double off = fmax(farthest(r, &plain[i]), farthest(&plain[i], r));
+            large.differ++;
+            large.worst = fmax(large.worst, off);
+            slabs = true;
+            if (off > .5 * sqrt(2) * (sweeps + work.stats.sweeps - 2)) return "not the same";
         }
     }
     if (!slabs) return NULL;
@@ -333,7 +368,7 @@ static void test_large(void **state) {
     (void)state;
     static const double SIZES[] = {10, 40, 200, 3000, 1e5, 1e7, 1.5e8};
     uint64_t first = cases_first(8500000000, cases_scaled(2000)), count = cases_scaled(2000);
-    int failed = 0, stretched = 0;
+    int failed = 0;
     if (cases_only_seed(&first)) count = 1;
     for (uint64_t seed = first; seed < first + count && failed < 5; seed++) {
         uint64_t rng = seed;
@@ -351,7 +386,7 @@ static void test_large(void **state) {
         }
         bool some = false;
         const char *wrong = judge_large(seed % 4 ? CLIP_EVEN_ODD : CLIP_NONZERO, seed % 50 == 0, &some);
-        stretched += some;
+        large.stretched += some;
         if (!wrong) continue;
         failed++;
         print_message("# FAILED: RIDGELINE_SEED=%llu build/tests/property/test_clip_random: large: %s\n",
@@ -359,10 +394,11 @@ static void test_large(void **state) {
         print("subject", &subject);
         print("clip", &clip);
     }
-    print_message("# test_clip_random: %d pairs of up to 600 vertices each, %d with stretches swept as one edge\n",
-                  (int)count, stretched);
+    print_message("# test_clip_random: %d pairs of up to 600 vertices each, %d with stretches swept as one edge; %d "
+                  "results differ from those without, by %.2f units at most\n",
+                  (int)count, large.stretched, large.differ, large.worst);
     assert_int_equal(failed, 0);
-    if (count > 100) assert_true(stretched > (int)count / 10);
+    if (count > 100) assert_true(large.stretched > (int)count / 10);
 }
 
 int main(void) {

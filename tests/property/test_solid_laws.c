@@ -225,14 +225,21 @@ static void test_area_sort(void **state) {
     assert_int_equal(failed, 0);
 }
 
-/* An edge from behind the eye, which was not held against what the window's grid had of it. */
 static void test_found(void **state) {
-    law_case_t c = {SOLID_LAW_REFINE, false, 16000183015};
-    solid_scene_t s;
+    static const law_case_t found[] = {
+        /* an edge from behind the eye, which was not held against what the window's grid had of it */
+        {SOLID_LAW_REFINE, false, 16000183015},
+        /* an eye in the plane of a face that it is next to: on the page that was a needle, which hid nothing */
+        {SOLID_LAW_MIRROR, true, 15300259818},
+    };
     (void)state;
-    solid_scene_random(&s, c.seed, 5);
-    assert_true(try_law(&c, &s).good);
-    solid_scene_free(&s);
+    for (size_t k = 0; k < sizeof found / sizeof *found; k++) {
+        law_case_t c = found[k];
+        solid_scene_t s;
+        solid_scene_random(&s, c.seed, 5);
+        assert_true(try_law(&c, &s).good);
+        solid_scene_free(&s);
+    }
 }
 
 int main(void) {
