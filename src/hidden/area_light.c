@@ -8,7 +8,10 @@
 
 #if CONFIG_AREA
 
-#define LIGHT_PAGE_LAT ((int64_t)100 * LAT_PER_MM) /* the scene seen from the light reaches so far from the origin */
+/* The scene seen from the light reaches so far from the origin: nearly as far as the lattice does at its finest, since
+ * what a light that strokes a face makes of a unit is long. */
+#define LIGHT_PAGE_LAT ((int64_t)1000 * LAT_PER_MM)
+_Static_assert(LIGHT_PAGE_LAT + 16 < POLY_LIMIT >> AREA_LATTICE_BITS, "all of it on the finest lattice");
 
 /* ---- directions ---- */
 

@@ -17,7 +17,10 @@ typedef struct light {
 } light_t;
 
 /* As seen in the map's view (camera_t.unit): the cosine between a light and the side of a face that the eye sees, q30;
- * negative where that looks away from it. A point light is seen from the middle of the face's corners. */
+ * negative where that looks away from it; LIGHT_GRAZING_Q30 and less count as nothing in tones. A point light is seen
+ * from the middle of the face's corners. */
+#define LIGHT_GRAZING_Q30                                                                                              \
+    (INK_ONE / 8192) /* a face that gets less is dark: rounding would decide where the light ends */
 int64_t light_slope(const light_t *l, const solid_map_t *m, int32_t face);
 
 /* Lit polygons of all faces and lights, on the eye's lattice: blocks of words, a list for each light and face. */

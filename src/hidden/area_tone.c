@@ -183,12 +183,13 @@ int area_toner_polygon(area_toner_t *t, int32_t face, const poly_t *p, int32_t f
         return t->tone.hatch ? hatch_polygon(t->tone.hatch, p, HATCH_CLEAR, first_line, to) : 0;
     for (int32_t l = 0; l < t->tone.lights; l++) {
         slope[l] = light_slope(&t->tone.light[l], t->m, face);
-        all += slope[l] > 0 ? slope[l] : 0;
+        if (slope[l] <= LIGHT_GRAZING_Q30) slope[l] = 0;
+        all += slope[l];
     }
     if (!t->tone.shadow || all == 0) return hatch(t, p, all, first_line, to);
     int err = begin(t, p);
     for (int32_t l = 0; l < t->tone.lights && !err; l++) {
-        if (slope[l] <= 0) continue;
+        if (slope[l] == 0) continue;
         clip_out_t lit = {.v = t->face.v, .end = t->face.end, .n_max = t->face.most, .contours_max = t->face.most};
         err = lit_polygons(&t->lit, l, face, &lit);
         const poly_t reached = {lit.v, lit.end, lit.contours};

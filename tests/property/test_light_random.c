@@ -180,8 +180,6 @@ static bool lit_says(const lit_scene_t *c, int32_t f, int l, const double at[2])
     return winding != 0;
 }
 
-#define GRAZE_Q30 (INK_ONE / 2000) /* of what falls in more flatly rounding decides how far it goes */
-
 /* Lights that reach p, a bit each; -1 if that changes when it moves by `margin` along the face. */
 static int reached(const lit_scene_t *c, int32_t f, vec_t p, double margin, int64_t least_q30) {
     const solid_t *s = &c->t.solid;
@@ -224,10 +222,10 @@ static int no_ink(void *ctx, const ink_piece_t *p) {
 
 /* A direction near d in the plane of a face, or out of it by ever so little. */
 static vec_t grazing(const solid_t *s, vec_t d) {
-    static const double by[] = {0, 1e-9, 1e-6, 1e-4, 1e-3, 1e-2};
+    static const double by[] = {0, 1e-9, 1e-6, 1e-4, 1.3e-4, 3e-4, 1e-3, 1e-2};
     const vec_t n = normal(s, (int32_t)(random_unit() * s->nf));
     if (!(dot(n, n) > .5)) return d; /* a face without an area */
-    return unit(add_scaled(unit(add_scaled(d, n, -dot(d, n))), n, by[(int)(random_unit() * 6)]));
+    return unit(add_scaled(unit(add_scaled(d, n, -dot(d, n))), n, by[(int)(random_unit() * 8)]));
 }
 
 /* The direction to the eye: of parallel ones nothing that is seen is in the shadow then. */
@@ -297,16 +295,16 @@ static void check_change(const lit_scene_t *c, int32_t f, vec_t p, vec_t q, int 
                          tally_t *n) {
     for (int k = 0; k < 40 && dot(sub(p, q), sub(p, q)) > 16 * margin * margin; k++) {
         vec_t m = add_scaled(p, sub(q, p), .5);
-        int at_m = reached(c, f, m, margin / 64, GRAZE_Q30);
-        if (at_m < 0) m = add_scaled(p, sub(q, p), .45), at_m = reached(c, f, m, margin / 64, GRAZE_Q30);
+        int at_m = reached(c, f, m, margin / 64, LIGHT_GRAZING_Q30);
+        if (at_m < 0) m = add_scaled(p, sub(q, p), .45), at_m = reached(c, f, m, margin / 64, LIGHT_GRAZING_Q30);
         if (at_m < 0) break;
         if (at_m == at_p)
             p = m;
         else
             q = m, at_q = at_m;
     }
-    if (at_p == at_q || reached(c, f, p, margin / 64, GRAZE_Q30) != at_p ||
-        reached(c, f, q, margin / 64, GRAZE_Q30) != at_q)
+    if (at_p == at_q || reached(c, f, p, margin / 64, LIGHT_GRAZING_Q30) != at_p ||
+        reached(c, f, q, margin / 64, LIGHT_GRAZING_Q30) != at_q)
         return;
     if (dot(sub(p, q), sub(p, q)) > 64 * margin * margin) return;
     for (int k = 0; k <= 8; k++) {
@@ -335,7 +333,7 @@ static void check_places(const lit_scene_t *c, tally_t *n) {
         int at_last = -1;
         for (int k = 0; k < 24; k++) {
             vec_t p = random_on(s, f);
-            int mask = is_inside(s, f, p) ? reached(c, f, p, margin, GRAZE_Q30) : -1;
+            int mask = is_inside(s, f, p) ? reached(c, f, p, margin, LIGHT_GRAZING_Q30) : -1;
             if (mask < 0 || before_eye(c, p) <= margin || is_touched(c, f, p, 2 * margin)) continue;
             double at[2];
             project(c, p, at);
@@ -346,7 +344,7 @@ static void check_places(const lit_scene_t *c, tally_t *n) {
             }
             n->places++;
             for (int l = 0; l < c->lights; l++) {
-                if (light_slope(&c->light[l], &c->t.map, f) <= GRAZE_Q30) continue;
+                if (light_slope(&c->light[l], &c->t.map, f) <= LIGHT_GRAZING_Q30) continue;
                 n->places_wrong += lit_says(c, f, l, at) != (mask >> l & 1);
             }
             if (at_last >= 0 && mask != at_last) check_change(c, f, last, p, at_last, mask, margin, n);
@@ -386,14 +384,14 @@ static int reached_at(const lit_scene_t *c, const double page[2], double margin,
     const vec_t p = sighted(c, page);
     vec_t q = p;
     *face = seen(c, p, to_eye(c, p), &q);
-    return *face < 0 || is_touched(c, *face, q, margin) ? -1 : reached(c, *face, q, near, 0);
+    return *face < 0 || is_touched(c, *face, q, margin) ? -1 : reached(c, *face, q, near, LIGHT_GRAZING_Q30);
 }
 
 /* To both sides of a border other lights reach the face: close to it if not farther off, since the shadow of a needle
  * is narrow. */
 static void check_borders(const lit_scene_t *c, tally_t *n) {
     const double margin = 1e-3 * c->size;
-    const double most = ldexp(LAT_PER_MM, c->lit.eye_lattice.bits) * .02;
+    const double most = ldexp(LAT_PER_MM, c->lit.eye_lattice.bits) * JUDGE_STEP_MM;
     for (int32_t k = 0; k < c->borders.n; k++) {
         const border_t *b = &c->borders.list[k];
         double dx = (double)b->end[1].x - b->end[0].x, dy = (double)b->end[1].y - b->end[0].y, l = hypot(dx, dy);
