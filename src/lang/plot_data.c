@@ -56,6 +56,9 @@ static int start_solid(session_t *s, session_source_t *src, bool inline_data, in
 }
 
 int plot_data_start(session_t *s, session_source_t *src, bool inline_data, int32_t first_line) {
+#if CONFIG_PARAMETRIC
+    src->curved = false;
+#endif
     if (src->solid) return start_solid(s, src, inline_data, first_line);
     src->first_grid = s->plot.grids;
     src->spec.compute = compute;
@@ -65,6 +68,11 @@ int plot_data_start(session_t *s, session_source_t *src, bool inline_data, int32
     s->plot.data_error = 0;
     data_reader_start(&s->plot.reader, &src->spec, &s->pool, s->plot.grid + s->plot.grids,
                       s->plot.curve + s->plot.grids, CONFIG_PLOT_ITEMS - s->plot.grids, inline_data, first_line);
+#if CONFIG_PARAMETRIC
+    isolines_init(&s->plot.isolines);
+    plot_limits(s, &s->plot.isolines);
+    s->plot.reader.isolines = s->settings.hidden == HIDDEN_HORIZON ? NULL : &s->plot.isolines;
+#endif
     return 0;
 }
 
@@ -96,6 +104,28 @@ int plot_data_failed(session_t *s, const session_source_t *src, int err) {
     return trouble(s, src, err, r->trouble, r->line, r->at);
 }
 
+#if CONFIG_PARAMETRIC
+/* Points that are no grid are drawn, with facets where each line has as many points. */
+static int finish_isolines(session_t *s, session_source_t *src) {
+    mesh_t *mesh = &s->plot.mesh[s->plot.next];
+    if (isolines_finish(&s->plot.isolines, mesh))
+        return plot_fail(s, src, ERR_EMPTY, "nothing to draw: neither two points of a line nor a facet are in range");
+    memcpy(src->extent, s->plot.isolines.extent, sizeof src->extent);
+    if (s->plot.reader.left_grid_at) {
+        char where[24];
+        text_t t = text_start(where, sizeof where);
+        text_add(&t, "its line ");
+        text_add_int(&t, s->plot.reader.left_grid_at);
+        text_add(&t, ": ");
+        const char *why = data_grid_text(s->plot.reader.trouble);
+        session_warn(s, where, why, strlen(why), "");
+    }
+    if (mesh->faces == 0) session_warn(s, "", "lines", 5, " are drawn, as isolines of one length would make a surface");
+    src->curved = true;
+    return 0;
+}
+#endif
+
 /* The data of source[next] are complete. */
 int plot_data_done(session_t *s) {
     session_source_t *src = &s->plot.source[s->plot.next];
@@ -124,6 +154,10 @@ int plot_data_done(session_t *s) {
     }
     src->grids = n;
     s->plot.grids += n;
+#if CONFIG_PARAMETRIC
+    int err = s->plot.reader.in_isolines ? finish_isolines(s, src) : 0;
+    if (err) return err;
+#endif
     s->plot.next++;
     return 0;
 }

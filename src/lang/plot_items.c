@@ -15,15 +15,25 @@ static void set_extent(session_t *s, int32_t i, int k, num_t out[2]) {
     }
 }
 
+static bool widen(num_t out[2], const num_t e[2], bool any) {
+    if (!any || num_cmp(e[0], out[0]) < 0) out[0] = e[0];
+    if (!any || num_cmp(e[1], out[1]) > 0) out[1] = e[1];
+    return true;
+}
+
 /* The extent of all data, in which functions beside them are drawn. */
 static bool data_extent(session_t *s, int k, num_t out[2]) {
+    bool any = false;
     for (int32_t i = 0; i < s->plot.grids; i++) {
         num_t e[2];
         set_extent(s, i, k, e);
-        if (i == 0 || num_cmp(e[0], out[0]) < 0) out[0] = e[0];
-        if (i == 0 || num_cmp(e[1], out[1]) > 0) out[1] = e[1];
+        any = widen(out, e, any);
     }
-    return s->plot.grids > 0;
+#if CONFIG_PARAMETRIC
+    for (int32_t i = 0; i < s->plot.sources; i++)
+        if (s->plot.source[i].curved) any = widen(out, s->plot.source[i].extent[k], any);
+#endif
+    return any;
 }
 
 /* Where functions are drawn along axis k: the range, its automatic ends being those of the data, else -10 and 10. */
@@ -90,20 +100,21 @@ int plot_items(session_t *s) {
     for (int32_t k = 0; k < s->plot.sources; k++) {
         const session_source_t *src = &s->plot.source[k];
         bool data = src->kind != SOURCE_EXPR;
-        for (int32_t g = 0; g < (data && !src->solid ? src->grids : 1); g++, n++) {
+        for (int32_t g = 0; g < (data && !src->solid ? src->grids + session_is_curved(src) : 1); g++, n++) {
             if (n == CONFIG_PLOT_ITEMS)
                 return lang_error_set_number(&s->error, ERR_FULL, src->column, "too much for one plot; most surfaces",
                                              CONFIG_PLOT_ITEMS);
             plot_item_t *item = &s->plot.item[n];
             item->title = src->title;
             item->title_len = (int16_t)src->title_len; /* of a line of CONFIG_LINE_MAX bytes */
-            item->solid = src->solid;
-            item->parametric = src->parametric;
+            const bool curved = session_is_curved(src) && g == src->grids;
+            item->solid = src->solid || curved;
+            item->parametric = src->parametric || curved;
 #if CONFIG_PARAMETRIC
             memcpy(item->extent, src->extent, sizeof item->extent);
 #endif
             int err = 0;
-            if (src->solid)
+            if (item->solid)
                 item->mesh = s->plot.mesh[k];
             else if (data && s->plot.kind == PLOT_CURVES)
                 data_curve_get(&s->plot.curve[src->first_grid], &item->curve, NULL);

@@ -120,7 +120,14 @@ static int moves(session_t *s, lexer_t *lx, session_source_t *src) {
 static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_params_t *params) {
     session_source_t *src = &s->plot.source[s->plot.sources];
     int32_t first_grid = src->first_grid, grids = src->grids; /* of the last plot: replot may need them */
+#if CONFIG_PARAMETRIC
+    const session_source_t last = *src;
+#endif
     *src = (session_source_t){.column = lexer_column(lx), .name = *lx, .first_grid = first_grid, .grids = grids};
+#if CONFIG_PARAMETRIC
+    src->curved = last.curved;
+    memcpy(src->extent, last.extent, sizeof src->extent);
+#endif
 #if CONFIG_AREA
     src->smooth_q30 = plot_options_cosine(num_mul(num_from_i64(s->settings.crease_mdeg), num_from_decimal(1, -3)));
 #endif
@@ -149,6 +156,9 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
                                    lx->tok.len);
     } else {
         src->kind = SOURCE_EXPR;
+#if CONFIG_PARAMETRIC
+        src->curved = false;
+#endif
         src->parametric = CONFIG_PARAMETRIC && s->axes == AXES_PARAMETRIC && kind == PLOT_SURFACES;
         if (s->axes != AXES_XY && !src->parametric)
             return session_fail(s, lx, ERR_UNSUPPORTED, "parametric and polar plots of this kind are not supported");

@@ -13,7 +13,7 @@ static int evaluation_error(session_t *s, int32_t n) {
     for (int32_t k = 0; k < s->plot.sources && item < n; k++) {
         const session_source_t *src = &s->plot.source[k];
         if (src->kind != SOURCE_EXPR || src->parametric) {
-            item += src->solid ? 1 : src->grids;
+            item += src->solid ? 1 : src->grids + session_is_curved(src);
             continue;
         }
         int err = s->plot.work[item++].expr.source.error;
@@ -34,6 +34,8 @@ static void swap_ranges(session_t *s) {
 }
 
 static int draw(session_t *s) {
+    for (int32_t k = 0; k < s->plot.sources; k++)
+        if (session_is_curved(&s->plot.source[k])) s->plot.kind = PLOT_SOLIDS; /* as their data turned out */
     int n = plot_items(s);
     if (n < 0) return n;
     int32_t seed[2] = {s->lang.seed[0], s->lang.seed[1]};

@@ -89,6 +89,7 @@ typedef struct session_source {
     int32_t smooth_q30;        /* cosine of `crease` (mesh.h) */
 #if CONFIG_PARAMETRIC
     num_t extent[2][2]; /* plot.h */
+    bool curved;        /* some of its data are no grid: behind its grids comes a mesh */
 #endif
     uint32_t moves; /* where `translate` and the like begin in the line of `name`, or 0 */
 } session_source_t;
@@ -149,7 +150,12 @@ typedef struct session {
             mesh_t mesh[CONFIG_PLOT_ITEMS];
         };
         union { /* the data being read; when they are, what is drawn */
-            data_reader_t reader;
+            struct {
+                data_reader_t reader;
+#if CONFIG_PARAMETRIC
+                isolines_t isolines;
+#endif
+            };
             struct {
                 obj_reader_t obj;
                 affine_t affine;

@@ -118,8 +118,16 @@ int plot_data_feed(session_t *s, const char *text, size_t n, bool *stopped);
 int plot_data_done(session_t *s);
 int plot_data_failed(session_t *s, const session_source_t *src, int err);
 int plot_data_read(session_t *s, session_source_t *src);
-/* plot_parametric.c: source[next], of three expressions, becomes a mesh. */
+static inline bool session_is_curved(const session_source_t *src) {
+#if CONFIG_PARAMETRIC
+    return src->curved;
+#else
+    return (void)src, false;
+#endif
+}
+/* plot_parametric.c: source[next], of three expressions, becomes a mesh. The ranges of the command as limits. */
 int plot_parametric(session_t *s, session_source_t *src);
+void plot_limits(const session_t *s, isolines_t *iso);
 /* plot_items.c: fills s->plot.item[]; the number of items, or an error. */
 int plot_items(session_t *s);
 /* plot_run.c */

@@ -41,6 +41,46 @@ static bool chosen(int32_t n, int32_t first, int32_t last, int32_t step) {
     return n >= first && n <= last && (n - first) % step == 0;
 }
 
+/* What a grid, or isolines, get: the next point, the end of a block, the end of the set. */
+enum step { STEP_POINT, STEP_BREAK, STEP_FINISH };
+
+static int to_grid(data_reader_t *r, enum step step, const num_t p[3]) {
+    data_grid_t *g = &r->grid[r->grids - 1];
+    if (step == STEP_POINT) return data_grid_point(g, p[0], p[1], p[2], &r->trouble);
+    return step == STEP_BREAK ? data_grid_break(g, &r->trouble) : data_grid_finish(g, &r->trouble);
+}
+
+#if CONFIG_PARAMETRIC
+static int to_isolines(data_reader_t *r, enum step step, const num_t p[3]) {
+    isolines_t *s = r->isolines;
+    int err = step == STEP_POINT   ? isolines_point(s, p[0], p[1], p[2])
+              : step == STEP_BREAK ? isolines_break(s)
+                                   : isolines_end_set(s, true);
+    return err ? refuse(r, DATA_FULL, 0) : 0;
+}
+
+static bool may_be_isolines(const data_reader_t *r) {
+    return r->isolines && r->spec->format == DATA_ROWS && !r->spec->flat;
+}
+
+/* The grid that is none, and what is to come, are isolines. */
+static int adopt(data_reader_t *r) {
+    r->in_isolines = true;
+    if (r->grid[r->grids - 1].outer_n > 0) r->left_grid_at = r->field.line;
+    return isolines_adopt(r->isolines, &r->grid[--r->grids]) ? refuse(r, DATA_FULL, 0) : 0;
+}
+
+static int take(data_reader_t *r, enum step step, const num_t p[3]) {
+    int err = r->in_isolines ? 0 : to_grid(r, step, p);
+    if (err == ERR_DATA && may_be_isolines(r)) err = adopt(r);
+    return r->in_isolines && !err ? to_isolines(r, step, p) : refused(r, err, 0);
+}
+#else
+static int take(data_reader_t *r, enum step step, const num_t p[3]) {
+    return refused(r, to_grid(r, step, p), 0);
+}
+#endif
+
 /* The first point of a data set opens its grid; a curve goes on through all sets. */
 static int open_set(data_reader_t *r) {
     if (r->set_open) return 0;
@@ -48,6 +88,16 @@ static int open_set(data_reader_t *r) {
         r->set_open = true;
         return 0;
     }
+#if CONFIG_PARAMETRIC
+    if (r->grids == r->grids_max && !r->in_isolines && may_be_isolines(r)) {
+        isolines_start(r->isolines, r->pool);
+        r->in_isolines = true;
+    }
+    if (r->in_isolines) {
+        r->set_open = true;
+        return 0;
+    }
+#endif
     if (r->grids == r->grids_max) return refuse(r, DATA_SETS, 0);
     if (r->spec->flat)
         data_curve_start(r->curve, r->pool);
@@ -62,7 +112,7 @@ static int close_set(data_reader_t *r) {
     if (!r->set_open) return 0;
     r->set_open = false;
     if (r->spec->flat) return 0;
-    return refused(r, data_grid_finish(&r->grid[r->grids - 1], &r->trouble), 0);
+    return take(r, STEP_FINISH, NULL);
 }
 
 static int end_block(data_reader_t *r) {
@@ -72,7 +122,7 @@ static int end_block(data_reader_t *r) {
     r->point = r->kept_point = 0;
     if (!r->set_open) return 0;
     if (r->spec->flat) return data_curve_gap(r->curve) ? refuse(r, DATA_FULL, 0) : 0;
-    return refused(r, data_grid_break(&r->grid[r->grids - 1], &r->trouble), 0);
+    return take(r, STEP_BREAK, NULL);
 }
 
 static int end_set(data_reader_t *r) {
@@ -125,7 +175,7 @@ static int point(data_reader_t *r) {
         z = r->column[3];
     }
     r->kept_point++;
-    return refused(r, data_grid_point(&r->grid[r->grids - 1], x, y, z, &r->trouble), 0);
+    return take(r, STEP_POINT, (const num_t[3]){x, y, z});
 }
 
 static uint64_t wanted_columns(const data_reader_t *r) {
@@ -255,5 +305,8 @@ int data_reader_finish(data_reader_t *r) {
     if (r->spec->flat && r->grids) err = data_curve_finish(r->curve);
     if (err == ERR_FULL) return refuse(r, DATA_FULL, 0);
     if (err) return err;
+#if CONFIG_PARAMETRIC
+    if (r->in_isolines) return r->grids;
+#endif
     return r->grids ? r->grids : ERR_EMPTY;
 }

@@ -4,7 +4,10 @@
  * one column, whose x and y are then the numbers of the point and of the block; `matrix`, whose columns count x and
  * rows count y; `nonuniform matrix`, whose first row holds (after one ignored field) the x and whose first column the
  * y. Every data set that is wanted becomes a grid of its own. For `plot` rows are `x y` or `y`, and all data sets
- * are one curve. */
+ * are one curve.
+ *
+ * A data set whose points turn out to lie on no grid becomes, with all sets behind it, isolines, where the caller has
+ * lent a place for them (rows only). */
 #ifndef DATA_READER_H
 #define DATA_READER_H
 
@@ -12,6 +15,7 @@
 #include "scene/data_curve.h"
 #include "scene/data_grid.h"
 #include "scene/field.h"
+#include "scene/isolines.h"
 
 enum data_format { DATA_ROWS, DATA_MATRIX, DATA_NONUNIFORM };
 
@@ -44,6 +48,11 @@ typedef struct data_reader {
     data_pool_t *pool;
     data_grid_t *grid;   /* [grids_max], of the caller */
     data_curve_t *curve; /* of the caller, where spec->flat */
+#if CONFIG_PARAMETRIC
+    isolines_t *isolines; /* of the caller, with its limits; or NULL */
+    bool in_isolines;     /* sets go there now */
+    int32_t left_grid_at; /* the line where what had begun as a grid proved to be none, trouble says why; or 0 */
+#endif
     int32_t grids, grids_max;
     num_t column[CONFIG_DATA_COLUMNS + 1];      /* of the row being read: [1] is the first; [0] the point's number */
     int32_t column_at[CONFIG_DATA_COLUMNS + 1]; /* where it stands in the line */
@@ -71,8 +80,8 @@ void data_reader_start(data_reader_t *r, const data_spec_t *spec, data_pool_t *p
 /* Takes n characters. Returns 0, or ERR_DATA or ERR_FULL: trouble, line and at say why and where. Once stopped is set
  * the rest is not looked at. */
 int data_reader_feed(data_reader_t *r, const char *text, size_t n);
-/* The end of the data. Returns the number of grids (1 for a curve), or an error; ERR_EMPTY when there was no point at
- * all. */
+/* The end of the data. Returns the number of grids (1 for a curve; with in_isolines there may be none), or an error;
+ * ERR_EMPTY when there was no point at all. */
 int data_reader_finish(data_reader_t *r);
 
 #endif

@@ -38,6 +38,7 @@ typedef struct fixture {
     int points;
     int32_t rows_nx, rows_ny, cols_nx, cols_ny; /* of the first item */
     mesh_t mesh;
+    int mesh_items;  /* solids among its items */
     int plot_result; /* what the port answers */
     uint64_t pool[FIXTURE_POINTS];
 } fixture_t;
@@ -113,8 +114,13 @@ static inline int fixture_plot(void *ctx, const plot_t *plot) {
     f->items = plot->n;
     f->settings = *plot->settings;
     f->points = 0;
+    f->mesh_items = 0;
     if (plot->kind == PLOT_SOLIDS) {
-        f->mesh = plot->item[0].mesh;
+        for (int k = plot->n - 1; k >= 0; k--) { /* the first one is kept */
+            if (!plot->item[k].solid) continue;
+            f->mesh = plot->item[k].mesh;
+            f->mesh_items++;
+        }
         return f->plot_result;
     }
     if (plot->kind == PLOT_SURFACES) {

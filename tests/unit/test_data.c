@@ -184,15 +184,16 @@ static void wrong_data_name_their_line(void **state) {
         {"matrix", "1 2\n3 z\n", ERR_DATA, 2, 3, "not a number"},
         {"nonuniform matrix", "2 1 2\n1 3 4\n2 5 6 7\n", ERR_DATA, 3, 7, "another number of points"},
         {"nonuniform matrix", "2 1 2\n? 3 4\n2 5 6\n", ERR_DATA, 2, 0, "x or y"},
-        {"", "", ERR_EMPTY, 1, 7, "no data"},
-        {"index 3", "0 0 1\n0 1 2\n\n1 0 1\n1 1 2\n", ERR_EMPTY, 1, 7, "no data"},
-        {"using 1:2:(nobody)", "0 0 1\n0 1 2\n\n1 0 1\n1 1 2\n", ERR_NAME, 1, 7, "nobody"},
+        {"", "", ERR_EMPTY, 2, 7, "no data"},
+        {"index 3", "0 0 1\n0 1 2\n\n1 0 1\n1 1 2\n", ERR_EMPTY, 2, 7, "no data"},
+        {"using 1:2:(nobody)", "0 0 1\n0 1 2\n\n1 0 1\n1 1 2\n", ERR_NAME, 2, 7, "nobody"},
     };
     fixture_t *f = *state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         char line[128];
         session_init(&f->session, &f->port, f->pool, sizeof f->pool);
         fixture_file(f, 0, "f", cases[i].data);
+        assert_int_equal(fixture_feed(f, "set hidden3d horizon"), 0); /* which takes nothing but grids */
         snprintf(line, sizeof line, "splot 'f' %s", cases[i].options);
         int err = fixture_feed(f, line);
         const lang_error_t *e = &f->session.error;
