@@ -120,15 +120,38 @@ static void after_line(console_t *c, const char *line, int err) {
     if (strstr(line, "mach")) c->machine_line = true;
 }
 
-int console_execute(console_t *c, const char *line) {
-    int err = 0;
-    if (session_state(&c->session) == SESSION_READY && console_command(c, line, &err)) return err;
-    bool was_data = session_state(&c->session) == SESSION_DATA;
-    err = session_line(&c->session, line);
+/* A line, or what of it stands before or behind a command of the board. */
+static int execute_part(console_t *c, const char *line) {
+    const bool was_data = session_state(&c->session) == SESSION_DATA;
+    const int err = session_line(&c->session, line);
     c->session.quit = false; /* there is nowhere to go */
     if (!was_data) after_line(c, line, err);
     after_command(c);
     return err;
+}
+
+/* What has been done becomes blanks, so that columns are those of the line. */
+int console_execute(console_t *c, char *line) {
+    int err = 0;
+    for (char *from = line, *end; session_state(&c->session) == SESSION_READY; from = end + 1) {
+        end = from + (keep_command_end(from) - from);
+        const int number = console_command_find(from, end);
+        if (number >= 0) {
+            if (from > line) { /* first what stands before */
+                from[-1] = '\0';
+                err = execute_part(c, line);
+                if (!err && session_state(&c->session) != SESSION_READY) {
+                    say("rows come first: say it when they are over\n");
+                    return 0;
+                }
+            }
+            if (!err) err = console_command(c, number);
+            if (err || *end != ';') return err;
+            memset(line, ' ', (size_t)(end + 1 - line));
+        }
+        if (*end != ';') break;
+    }
+    return execute_part(c, line);
 }
 
 static void prompt(console_t *c) {

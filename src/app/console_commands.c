@@ -1,4 +1,5 @@
-/* console_commands.c - the commands that only a board has. They are whole lines, so that `home = 3` stays a variable.
+/* console_commands.c - the commands that only a board has. They are whole commands, so that `home = 3` stays a
+ * variable.
  *
  *     home, unlock, pen up|down, motors on|off        the machine
  *     save, load, autorun on|off                      the saved scene
@@ -250,32 +251,34 @@ static const struct {
     {"help board", help_board, false},
 };
 
-/* Equal but for blanks around and between words? */
-static bool is_line(const char *line, const char *command) {
-    while (*line == ' ' || *line == '\t') line++;
-    for (; *command; command++) {
-        if (*command == ' ') {
-            if (*line != ' ' && *line != '\t') return false;
-            while (*line == ' ' || *line == '\t') line++;
-        } else if (*line++ != *command) {
-            return false;
-        }
-    }
-    while (*line == ' ' || *line == '\t') line++;
-    return !*line;
+static bool is_blank(char c) {
+    return c == ' ' || c == '\t';
 }
 
-bool console_command(console_t *c, const char *line, int *err) {
-    for (size_t i = 0; i < sizeof COMMAND / sizeof COMMAND[0]; i++) {
-        if (!is_line(line, COMMAND[i].line)) continue;
-        bool locked = COMMAND[i].at_rest && carriage_alarm(&c->carriage);
-        *err = locked ? refused("error: locked: home or unlock first\n") : COMMAND[i].run(c);
-        if (*err && *err != ERR_MACHINE && *err != ERR_EMPTY && *err != ERR_DATA) { /* of these was spoken already */
-            say("error: ");
-            say(error_text(*err));
-            say("\n");
-        }
-        return true;
+/* Equal but for blanks around and between words? */
+static bool is_command(const char *p, const char *end, const char *command) {
+    while (p < end && is_blank(*p)) p++;
+    for (; *command; command++, p++) {
+        if (p == end || (*command == ' ' ? !is_blank(*p) : *p != *command)) return false;
+        while (*command == ' ' && p + 1 < end && is_blank(p[1])) p++;
     }
-    return false;
+    while (p < end && is_blank(*p)) p++;
+    return p == end;
+}
+
+int console_command_find(const char *from, const char *end) {
+    int i = (int)(sizeof COMMAND / sizeof COMMAND[0]);
+    while (--i >= 0 && !is_command(from, end, COMMAND[i].line)) continue;
+    return i;
+}
+
+int console_command(console_t *c, int number) {
+    const bool locked = COMMAND[number].at_rest && carriage_alarm(&c->carriage);
+    const int err = locked ? refused("error: locked: home or unlock first\n") : COMMAND[number].run(c);
+    if (err && err != ERR_MACHINE && err != ERR_EMPTY && err != ERR_DATA) { /* of these was spoken already */
+        say("error: ");
+        say(error_text(err));
+        say("\n");
+    }
+    return err;
 }

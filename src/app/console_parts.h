@@ -6,14 +6,18 @@
 
 /* console.c: what neither the machine nor the data of the last plot use, aligned to 8. */
 void *console_free_memory(console_t *c, size_t *bytes);
-/* Carries out a line: a command of the board, or of the language. 0 or the error, which has been said. */
-int console_execute(console_t *c, const char *line);
+/* Carries out a line: commands of the board and of the language, up to one that is wrong. 0 or the error, which has
+ * been said. The line is written over. */
+int console_execute(console_t *c, char *line);
 
 /* console_draw.c: the session's plot(). */
 int console_draw(console_t *c, const plot_t *plot);
 
-/* console_commands.c: carries out a command of the board; false when the line is none. */
-bool console_command(console_t *c, const char *line, int *err);
+/* console_commands.c: the number of the command of the board that stands from `from` to `end`, negative if it is none.
+ */
+int console_command_find(const char *from, const char *end);
+/* Carries it out: 0 or the error, which has been said. */
+int console_command(console_t *c, int number);
 /* Draws the saved scene. */
 int console_load(console_t *c);
 /* Keeps the machine's numbers and autorun if they differ from what is kept. */

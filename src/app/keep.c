@@ -56,8 +56,7 @@ static void add(keep_t *k, const char *text, size_t n) {
     k->journal[k->len - 1] = '\n';
 }
 
-/* The end of the command that begins at p: a semicolon, comment or the end, outside of quotes. */
-static const char *command_end(const char *p) {
+const char *keep_command_end(const char *p) {
     char quote = 0;
     for (; *p; p++) {
         if (quote) {
@@ -76,7 +75,7 @@ static const char *command_end(const char *p) {
 
 void keep_line(keep_t *k, const char *line, size_t done) {
     for (const char *p = line;;) {
-        const char *end = command_end(p);
+        const char *end = keep_command_end(p);
         if ((size_t)(end - line) >= done) return;
         if (is_wanted(p, end)) {
             if (end > p && end[-1] == '\\')

@@ -21,6 +21,9 @@ void keep_clear(keep_t *k);
 /* After a line was carried out: those of its commands that end before byte `done`. */
 void keep_line(keep_t *k, const char *line, size_t done);
 
+/* The end of the command that begins at p: a semicolon, comment or the end of the text, outside of quotes. */
+const char *keep_command_end(const char *p);
+
 /* What the session prints while it is captured, instead of going to the terminal. */
 typedef struct keep_capture {
     text_t text;

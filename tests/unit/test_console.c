@@ -53,6 +53,39 @@ static void test_refused_rows(void **state) {
     assert_int_equal(fix.edges, 0);
 }
 
+/* Commands of the board among those of the language. */
+static void test_several_on_a_line(void **state) {
+    (void)state;
+    fix_run(SECOND);
+    fix_say("a=3; pen down ;print a\r", SECOND);
+    HEARD("\r\n3\r\n> ");
+    assert_true(fix.pins & HAL_PEN);
+    fix_forget();
+    fix_say("pen\t up # lifts it\rprint '; pen down #', \"\\\"; pen down\"\rhome = 4; print home\r", SECOND);
+    HEARD("; pen down # \"; pen down\r\n");
+    HEARD("\r\n4\r\n> ");
+    assert_false(fix.pins & HAL_PEN);
+    fix_forget();
+    fix_say("status; nonsense; pen down; print 5\r", SECOND); /* up to what is wrong */
+    HEARD("<Idle");
+    HEARD("column 9: ");
+    assert_false(fix_heard("\r\n5\r\n"));
+    assert_false(fix.pins & HAL_PEN);
+    fix_forget();
+    fix_say("splot '-'; pen down\r", SECOND);
+    HEARD("rows come first");
+    fix_say("0 0 x\r", SECOND);
+    HEARD("not a number");
+    assert_false(fix.pins & HAL_PEN);
+    fix_forget();
+    fix_say(SMALL "save\rsplot x*y; save; print 6\r", 200 * SECOND);
+    HEARD("A scene with inline data cannot be saved.");
+    HEARD("saved\r\n6\r\n> ");
+    fix_forget();
+    fix_say("load; print 7\r", 200 * SECOND);
+    HEARD("\r\n7\r\n> ");
+}
+
 static void test_editing(void **state) {
     (void)state;
     fix_say("prinx\b \bt 2\x7f 2+3\r", 50 * MS);
@@ -345,6 +378,7 @@ static void test_pens(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(test_power_on, on),
+        cmocka_unit_test_setup(test_several_on_a_line, on),
         cmocka_unit_test_setup(test_editing, on),
         cmocka_unit_test_setup(test_refused_rows, on),
         cmocka_unit_test_setup(test_errors_lose_nothing, on),
