@@ -29,7 +29,7 @@ $(foreach b,$(BOARDS),$(eval $(call board,$b)))
 IMAGES := $(BOARDS:%=$(FWDIR)/%.elf) $(FWDIR)/rp2040.bin
 
 # The step interrupt is worth its bytes on the smallest part, too.
-$(FWDIR)/nrf51/src/motion/stepgen.o $(FWDIR)/nrf51/hal/port/ahead.o $(FWDIR)/nrf51/hal/nrf51/player.o: OPT_nrf51 := -O2 -flto=auto
+$(FWDIR)/nrf51/src/motion/stepgen_isr.o $(FWDIR)/nrf51/src/motion/stepgen_pulses.o $(FWDIR)/nrf51/hal/port/ahead.o $(FWDIR)/nrf51/hal/nrf51/player.o: OPT_nrf51 := -O2 -flto=auto
 
 $(FWDIR)/uf2: firmware/tools/uf2.c
 	@mkdir -p $(@D)
