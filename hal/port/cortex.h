@@ -11,6 +11,7 @@
 #define SYST_CVR REG(0xe000e018u)
 #define ICSR REG(0xe000ed04u)
 #define SHPR3 REG(0xe000ed20u)
+#define VTOR REG(0xe000ed08u)
 #define AIRCR REG(0xe000ed0cu)
 
 static inline void irq_enable(unsigned n) {

@@ -1,6 +1,8 @@
 /* hal.c - hal.h on the RP2040 of a Raspberry Pi Pico, 125 MHz; see port.h for pins and clock. */
 #include "hal/hal.h"
 
+#include <string.h>
+
 #include "hal/port/ahead.h"
 #include "hal/port/console.h"
 #include "hal/port/switches.h"
@@ -117,12 +119,20 @@ static void clock_start(void) {
     port.phase = (uint16_t)(PWM_CTR(CLOCK_SLICE) - (us + 1) * 16);
 }
 
+/* Vectors are read at each interrupt, and not to wait for the flash either. */
+static void vectors_to_ram(void) {
+    static uint32_t vectors[16 + 32] __attribute__((aligned(256)));
+    memcpy(vectors, (const void *)VTOR, sizeof vectors);
+    VTOR = (uint32_t)vectors;
+}
+
 void hal_start(void) {
     /* DMA, IO_BANK0, PADS_BANK0, PIO0, PWM, TIMER, UART0 */
     const uint32_t need = 1u << 2 | 1u << 5 | 1u << 8 | 1u << 10 | 1u << 14 | 1u << 21 | 1u << 22;
     REG(RESETS + CLR) = 1u << 5 | 1u << 8;
     while ((~REG(RESETS + 0x08u)) & (1u << 5 | 1u << 8)) continue;
     pins_start();
+    vectors_to_ram();
     clocks_start();
     REG(RESETS + CLR) = need;
     while (~REG(RESETS + 0x08u) & need) continue;

@@ -8,13 +8,13 @@
 #     alone NAME                  a scene on the board without the simulator, in which its memory is poked; rests LEAST MOST: what its pins did
 #     says TEXT                   ... and the console of the last scene said that (an extended regular expression)
 # A scene is played on a new board, on which nothing has been saved. turned="pen enable ..." tells which pins have levels turned
-# round (set machine invert), pen="servo 1000 2000 0" or "solenoid 0.05 30" what is at the pen's pin: then pen.mjs judges that.
+# round (set machine invert), pen="servo 1000 2000 0" or "solenoid 0.05 30" what is at the pen's pin: then pen.mjs judges that. probe="PROBE.mjs ARGUMENTS": for rp2040.mjs.
 ridgeline=${RIDGELINE:-build/host/ridgeline}
 build=${BUILDDIR:-build}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT INT TERM
 failed=0
-turned= pen=
+turned= pen= probe=
 
 # What QEMU 7.2 says of every program on these boards, and nothing else, is let pass: it looks for a vector table before one
 # is loaded; a timer of its own has no clock yet; the LM3S6965's flash controller, and so the register that times
@@ -60,7 +60,7 @@ run_qemu() { # machine, 2^n ns an instruction, stim, drawings, wires, other opti
 
 run_rp2040() { # stim, drawings
     TURNED=$turned STORE=$work/keep/emu EMU_MODULES=$build/emu timeout 300 node tests/emu/rp2040.mjs "$build/firmware/rp2040.bin" "$1" \
-        "$work/emu.vcd" "$work/emu.txt" "$2" >"$work/emu.err" 2>&1 && [ ! -s "$work/emu.err" ]
+        "$work/emu.vcd" "$work/emu.txt" "$2" $probe >"$work/emu.err" 2>&1 && [ ! -s "$work/emu.err" ]
 }
 
 # What both consoles say alike: not the board's name, nor numbers that were true a moment earlier or later, nor flow control,
