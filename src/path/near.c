@@ -64,31 +64,65 @@ const near_cell_t *near_cell_at(const near_t *g, int32_t cx, int32_t cy) {
     return cx < 0 || cy < 0 || cx >= g->nx || cy >= g->ny ? NULL : &g->cell[cy * g->nx + cx];
 }
 
-/* A search: the nearest item so far, and its distance. */
+#define FAR INT32_MAX /* beyond every square of a distance; twice that fits 32 bits */
+
+/* A search: the nearest item so far, where it is entered, and its distance. */
 typedef struct search {
     near_t *g;
     spot_t at;
-    int32_t cx, cy, found;
+    int32_t cx, cy;
+    near_cell_t *cell; /* or NULL */
+    uint32_t place;
     uint32_t best;
 } search_t;
 
-static void search_cell(search_t *s, near_cell_t *c) {
-    const spot_t *const spot = s->g->spot, at = s->at;
-    int32_t *const item = &s->g->item[c->start];
-    uint32_t count = c->count, best = s->best;
-    for (uint32_t i = 0; i < count && i < NEAR_CELL_SCAN;) {
-        const int32_t k = item[i];
-        const spot_t here = spot[k];
-        if (here.x < 0) {
-            item[i] = item[--count];
-            c->count = count;
-            continue;
-        }
-        const uint32_t d = near_square(here, at);
-        if (d < best) best = d, s->found = k;
-        i++;
+static void forget(near_t *g, near_cell_t *c, uint32_t place) {
+    g->item[c->start + place] = g->item[c->start + --c->count];
+}
+
+/* Forgets what is marked among the first of a heavy cell. */
+static void forget_marked(near_t *g, near_cell_t *c) {
+    for (uint32_t i = 0; i < c->count && i < NEAR_TAKE_SCAN;) {
+        if (g->spot[g->item[c->start + i]].x < 0)
+            forget(g, c, i);
+        else
+            i++;
     }
+}
+
+/* Forgets an item that is taken; a cell that has been heavy is heavy no more when none is left in it that is marked. */
+static void forget_taken(near_t *g, near_cell_t *c, uint32_t place) {
+    forget(g, c, place);
+    if (c->count == NEAR_TAKE_SCAN) forget_marked(g, c);
+}
+
+/* Forgets the item where the search begins. In a heavy cell it may stay. */
+static void forget_own(near_t *g, near_cell_t *c, int32_t item) {
+    const int32_t *const of_cell = &g->item[c->start];
+    for (uint32_t i = 0; i < c->count && i < NEAR_TAKE_SCAN; i++) {
+        if (of_cell[i] != item) continue;
+        forget_taken(g, c, i);
+        return;
+    }
+}
+
+/* What is nearest so far is kept without a branch, which would be guessed wrong as often as not. */
+static __attribute__((noinline)) void search_cell(search_t *s, near_cell_t *c) {
+    near_t *const g = s->g;
+    const spot_t *const spot = g->spot, at = s->at;
+    const int32_t *const item = &g->item[c->start];
+    if (c->count > NEAR_TAKE_SCAN) forget_marked(g, c);
+    const uint32_t count = c->count < NEAR_TAKE_SCAN ? c->count : NEAR_TAKE_SCAN;
+    uint32_t best = s->best, place = count;
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t d = near_square(spot[item[i]], at);
+        place = d < best ? i : place;
+        best = d < best ? d : best;
+    }
+    if (place == count) return;
     s->best = best;
+    s->cell = c;
+    s->place = place;
 }
 
 /* How far it is from v to the cells that are `by` (of either sign) columns or rows away from its own, c. */
@@ -118,8 +152,6 @@ static int32_t clamp(int32_t v, int32_t max) {
     return v < 0 ? 0 : v > max ? max : v;
 }
 
-#define FAR INT32_MAX /* beyond every square of a distance; twice that fits 32 bits */
-
 /* The square of how far the cells on one side are, or FAR if there are none. */
 static uint32_t border(int32_t v, int32_t c, int shift, int32_t by, int32_t cells) {
     if (c + by < 0 || c + by >= cells) return FAR;
@@ -146,24 +178,37 @@ static void search_around(search_t *s) {
     if (right + above < s->best) search_cell(s, own + g->nx + 1);
 }
 
-int32_t near_take(near_t *g, spot_t at) {
-    search_t s = {.g = g, .at = at, .found = -1, .best = FAR};
+/* The square of how far the nearest cells r columns or rows away are. */
+static uint32_t ring_square(const search_t *s, int32_t r) {
+    const near_t *g = s->g;
+    uint32_t nearest = UINT32_MAX;
+    for (int32_t by = -r; by <= r; by += 2 * r) {
+        const uint32_t x = away(s->at.x, s->cx, g->shift_x, by), y = away(s->at.y, s->cy, g->shift_y, by);
+        if (x < nearest) nearest = x;
+        if (y < nearest) nearest = y;
+    }
+    return nearest * nearest;
+}
+
+int32_t near_take(near_t *g, spot_t at, int32_t from) {
+    search_t s = {.g = g, .at = at, .best = FAR};
     s.cx = clamp(at.x >> g->shift_x, g->nx - 1);
     s.cy = clamp(at.y >> g->shift_y, g->ny - 1);
-    int32_t rings = g->nx > g->ny ? g->nx : g->ny;
-    search_cell(&s, &g->cell[s.cy * g->nx + s.cx]);
-    search_around(&s);
-    for (int32_t r = 2; r < rings; r++) {
-        uint32_t nearest = UINT32_MAX; /* of what the ring may hold */
-        for (int side = -1; side <= 1; side += 2) {
-            uint32_t x = away(at.x, s.cx, g->shift_x, side * r), y = away(at.y, s.cy, g->shift_y, side * r);
-            if (x < nearest) nearest = x;
-            if (y < nearest) nearest = y;
+    near_cell_t *own = &g->cell[s.cy * g->nx + s.cx];
+    forget_own(g, own, from);
+    search_cell(&s, own);
+    const int32_t rings = g->nx > g->ny ? g->nx : g->ny;
+    for (int32_t r = 1; r < rings && ring_square(&s, r) < s.best; r++) {
+        if (r == 1) {
+            search_around(&s);
+            continue;
         }
-        if (nearest * nearest >= s.best) break;
         search_row(&s, -r, r, 1);
         for (int32_t k = 1 - r; k < r; k++) search_row(&s, k, r, 2 * r);
         search_row(&s, r, r, 1);
     }
-    return s.found;
+    if (!s.cell) return -1;
+    const int32_t found = g->item[s.cell->start + s.place];
+    forget_taken(g, s.cell, s.place);
+    return found;
 }

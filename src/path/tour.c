@@ -69,15 +69,17 @@ void tour_collect(tour_t *t, const chain_t *c, page_point_t at, page_point_t hom
 
 void tour_greedy(tour_t *t) {
     int32_t left = t->n, built = t->n;
-    spot_t at = t->spot[2 * t->n + 1];
+    int32_t from = 2 * t->n + 1;
+    spot_t at = t->spot[from];
     near_build(&t->near, t->n, CROWD);
     while (left > 0) {
         if (left <= built / 4) { /* keep the grid as coarse as what is left is sparse */
             near_thin(&t->near, CROWD);
             built = left;
         }
-        int32_t item = near_take(&t->near, at);
-        at = t->spot[item ^ 1];
+        int32_t item = near_take(&t->near, at, from);
+        from = item ^ 1;
+        at = t->spot[from]; /* before it is marked: read as a whole what is written in parts, it would have to wait */
         near_mark(t->spot, item >> 1);
         t->order[t->n - left--] = item;
     }
