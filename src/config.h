@@ -70,6 +70,12 @@
 #define CONFIG_TELL_ORDER CONFIG_AREA
 #endif
 
+/* 1: memory has caches that are asked for what is needed soon (path_config_t.fetch). Nothing depends on it but speed.
+ */
+#ifndef CONFIG_FETCH
+#define CONFIG_FETCH (__SIZEOF_POINTER__ > 4)
+#endif
+
 /* Columns of a data file that `using` may speak of: 16 bytes each. */
 #ifndef CONFIG_DATA_COLUMNS
 #define CONFIG_DATA_COLUMNS 32

@@ -137,6 +137,9 @@ int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t r
     config.tell = order_tick;
     config.tell_ctx = p;
 #endif
+#if CONFIG_FETCH
+    config.fetch = p->fetch;
+#endif
     if (p->hooks && !p->trial) config.feed = p->hooks->feed;
     if (p->pauses) {
         const int32_t cap = p->hooks->waiting;

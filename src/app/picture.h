@@ -89,6 +89,9 @@ typedef struct picture {
     camera_t camera;
     path_t path;
     ink_map_t map_ink; /* for path: lines[] by number */
+#if CONFIG_FETCH
+    ink_fetch_t fetch; /* of what it reads, or NULL */
+#endif
     cut_t cut;
 #if CONFIG_AREA
     pens_t pens;

@@ -51,8 +51,8 @@ static inline uint32_t near_square(spot_t a, spot_t b) {
 void near_build(near_t *g, int32_t strokes, int32_t crowd);
 /* Builds the grid anew, as coarse as what is left is sparse: marked strokes are gone. At least half must be. */
 void near_thin(near_t *g, int32_t crowd);
-/* The nearest item of a stroke that is not marked, seen from `at`, where the item `from` is; or -1 when none is left. Both
- * are forgotten: whoever takes it marks its stroke and goes on at its other end. Exact but for heavy cells. */
+/* The nearest item of a stroke that is not marked, seen from `at`, where the item `from` is; or -1 when none is left.
+ * Both are forgotten: whoever takes it marks its stroke and goes on at its other end. Exact but for heavy cells. */
 int32_t near_take(near_t *g, spot_t at, int32_t from);
 /* The cell with column cx and row cy, or NULL outside. */
 const near_cell_t *near_cell_at(const near_t *g, int32_t cx, int32_t cy);

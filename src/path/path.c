@@ -190,7 +190,9 @@ static int flush(path_t *p, enum flush why) {
         p->drawn = k;
         if (k % TELL_STROKES == 0)
             tell(p, all, TOLD_ORDERED + (int32_t)((int64_t)k * (TOLD_ALL - TOLD_ORDERED) / count));
-        tour_fetch(&tour, pool, k);
+#if CONFIG_FETCH
+        tour_fetch(&tour, pool, k, p->config.fetch, p->map->ctx);
+#endif
         int32_t start = tour_stroke(&tour, pool, k);
         if (!all && drop_if_dot(p, tour.point, start)) continue;
         if (fed_of(p) && !all)

@@ -50,6 +50,9 @@ typedef struct path_config {
     void (*tell)(void *ctx, int32_t done, int32_t of); /* how far ordering and drawing the rest is; or NULL */
     void *tell_ctx;
 #endif
+#if CONFIG_FETCH
+    ink_fetch_t fetch; /* asks the cache for what the map will read; its ctx is the map's. Or NULL */
+#endif
     const path_feed_t *feed; /* NULL: nothing is drawn before the pool is full or all ink is there */
 } path_config_t;
 

@@ -19,6 +19,8 @@
     (((size_t)(runs) + 1) * POOL_BYTES_PER_RUN) /* one more: the pen's place is in the tour, too                       \
                                                  */
 
+typedef void (*ink_fetch_t)(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t);
+
 typedef struct pool {
     int32_t n, cap;
     run_t *run;              /* cap */

@@ -113,11 +113,28 @@ int32_t tour_stroke(const tour_t *t, const pool_t *pool, int32_t k) {
     return item & 1 ? ~pool->mate[e] : e;
 }
 
-void tour_fetch(const tour_t *t, const pool_t *pool, int32_t k) {
-    if (k + 2 * TOUR_FETCH >= t->n) return;
-    int32_t e = t->end[t->order[k + TOUR_FETCH] >> 1] & ~TOUR_QUIET;
-    __builtin_prefetch(&t->end[t->order[k + 2 * TOUR_FETCH] >> 1]);
+#if CONFIG_FETCH
+static int32_t end_at(const tour_t *t, int32_t k) {
+    return t->end[t->order[k] >> 1] & ~TOUR_QUIET;
+}
+
+/* The vertices of a run between its ends. */
+static void fetch_between(const run_t *r, ink_fetch_t fetch, void *ctx) {
+    const uint8_t family = run_family(r);
+    const int64_t to = run_t_of(r, 1);
+    int64_t t = ink_next(family, run_t_of(r, 0), to);
+    for (int n = 0; t != to && n < TOUR_FETCH_VERTICES; n++, t = ink_next(family, t, to))
+        fetch(ctx, family, run_surface(r), run_line(r), t);
+}
+
+void tour_fetch(const tour_t *t, const pool_t *pool, int32_t k, ink_fetch_t fetch, void *ctx) {
+    if (k + 3 * TOUR_FETCH >= t->n) return;
+    if (fetch) fetch_between(&pool->run[end_at(t, k + TOUR_FETCH) >> 1], fetch, ctx);
+    const int32_t e = end_at(t, k + 2 * TOUR_FETCH);
+    __builtin_prefetch(&t->end[t->order[k + 3 * TOUR_FETCH] >> 1]);
     __builtin_prefetch(&pool->run[e >> 1]);
+    __builtin_prefetch(&pool->run[e >> 1].what); /* a run may lie across two lines of the cache */
     __builtin_prefetch(&pool->mate[e]);
     if (t->point) __builtin_prefetch(&t->point[e & ~1]);
 }
+#endif

@@ -14,7 +14,8 @@
 
 #define TOUR_QUIET (1 << 30) /* in tour.end: nothing around this stroke can be improved at the moment */
 
-#define TOUR_FETCH 8 /* strokes that memory is asked for ahead */
+#define TOUR_FETCH 6 /* strokes that memory is asked for ahead, three times */
+#define TOUR_FETCH_VERTICES 4
 
 typedef struct tour {
     int32_t n;      /* strokes, without the pen's */
@@ -40,7 +41,10 @@ void tour_improve(tour_t *t, int64_t operations);
 void tour_settle(tour_t *t);
 /* The end from which the stroke in place k is to be drawn, 0 <= k < n. */
 int32_t tour_stroke(const tour_t *t, const pool_t *pool, int32_t k);
-/* To be called before the stroke in place k is drawn: asks the cache for those that come soon. */
-void tour_fetch(const tour_t *t, const pool_t *pool, int32_t k);
+#if CONFIG_FETCH
+/* To be called before the stroke in place k is drawn: asks the cache for those that come soon, and `fetch` (or NULL)
+ * for the vertices between their ends. */
+void tour_fetch(const tour_t *t, const pool_t *pool, int32_t k, ink_fetch_t fetch, void *ctx);
+#endif
 
 #endif
