@@ -23,8 +23,8 @@ typedef struct drawing {
     int32_t edge;     /* at hand */
     int32_t owner[2]; /* what its first two faces belong to (shadow.h) does not hide it */
     shadow_line_t line;
-    page_box_t box; /* of the line's picture */
-    int32_t z;      /* its farthest depth */
+    page_box_t box; /* of the line's picture, and two lat for rounding */
+    int32_t z;      /* its farthest depth, and as much */
     bool full;
 } drawing_t;
 
@@ -67,8 +67,8 @@ static bool compare(drawing_t *d, shadow_t *s) {
     if (s->seen == d->edge) return true;
     s->seen = d->edge;
     if (s->owner == d->owner[0] || s->owner == d->owner[1]) return true;
-    if (s->x1 < d->box.x0 - 2 || s->x0 > d->box.x1 + 2 || s->y1 < d->box.y0 - 2 || s->y0 > d->box.y1 + 2) return true;
-    if (s->z > d->z + 2) return true; /* all of it is behind the line */
+    if (s->x1 < d->box.x0 || s->x0 > d->box.x1 || s->y1 < d->box.y0 || s->y0 > d->box.y1) return true;
+    if (s->z > d->z) return true; /* all of it is behind the line */
     int32_t from, to;
     d->stats->tests++;
     if (!shadow_hides(&d->shadows, s, &d->line, &from, &to)) return true;
@@ -115,30 +115,39 @@ static bool is_dropped(const drawing_t *d, int32_t edge) {
     return false;
 }
 
-/* Is it between faces of a smooth surface, and no outline? */
-static bool is_left_out(const drawing_t *d, const solid_edge_t *e) {
-    return e->twin < 0 && solid_is_smooth(d->map->solid, e) && !shadows_is_outline(&d->shadows, e);
+/* Is it between faces of smooth surfaces, and no outline of one? */
+static bool is_left_out(const drawing_t *d, int32_t edge) {
+    const solid_t *s = d->map->solid;
+    for (int32_t k = edge; k >= 0; k = s->edge[k].twin) {
+        const solid_edge_t *e = &s->edge[k];
+        if (e->face[0] < 0 || !(d->shadows.face[e->face[0]] & SHADOW_SMOOTH) || !solid_is_smooth(s, e) ||
+            shadows_is_outline(&d->shadows, e))
+            return false;
+    }
+    return true;
 }
 
 static int draw_edge(drawing_t *d, int32_t edge) {
     const solid_edge_t *e = &d->map->solid->edge[edge];
-    if (e->first != edge || solid_is_cut(e) || is_left_out(d, e)) return 0;
+    if (e->first != edge || solid_is_cut(e) || is_left_out(d, edge)) return 0;
+    const bool dropped = is_dropped(d, edge);
+    d->stats->edges++;
+    if (dropped && !d->hidden) return 0;
     int64_t t_q30[2];
     shadow_line_t *line = &d->line;
     if (!solid_map_edge(d->map, edge, line->end, t_q30)) return 0;
     const solid_place_t *a = &line->end[0], *b = &line->end[1];
     if (a->x == b->x && a->y == b->y) return 0; /* end-on */
     d->edge = edge;
-    d->stats->edges++;
     d->parts = 0;
-    if (!is_dropped(d, edge)) {
+    if (!dropped) {
         for (int k = 0; k < 2; k++) d->owner[k] = e->face[k] < 0 ? INT32_MAX : shadows_owner(&d->shadows, e->face[k]);
         line->v[0] = e->v[0];
         line->v[1] = e->v[1];
         line->exact = !solid_map_is_good(d->map, e->v[0]) || !solid_map_is_good(d->map, e->v[1]);
-        d->box = (page_box_t){a->x < b->x ? a->x : b->x, a->y < b->y ? a->y : b->y, a->x < b->x ? b->x : a->x,
-                              a->y < b->y ? b->y : a->y};
-        d->z = a->z > b->z ? a->z : b->z;
+        d->box = (page_box_t){(a->x < b->x ? a->x : b->x) - 2, (a->y < b->y ? a->y : b->y) - 2,
+                              (a->x < b->x ? b->x : a->x) + 2, (a->y < b->y ? b->y : a->y) + 2};
+        d->z = (a->z > b->z ? a->z : b->z) + 2;
         d->part[0] = (part_t){(int32_t)t_q30[0], (int32_t)t_q30[1]};
         d->parts = 1;
         if (is_limited(a) || is_limited(b)) /* the grid would be walked along another line */

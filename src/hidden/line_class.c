@@ -21,12 +21,19 @@ static bool is_free(const solid_t *s, int32_t edge) {
     return true;
 }
 
+/* Smooth for every body at it, as for a mesh that is there twice. */
+static bool is_smooth(const solid_t *s, int32_t edge) {
+    for (int32_t k = edge; k >= 0; k = s->edge[k].twin)
+        if (!solid_is_smooth(s, &s->edge[k])) return false;
+    return true;
+}
+
 /* Creases that `outline` or the object's `crease` leaves out. */
 static bool is_left_out(const line_sorter_t *l, int32_t edge) {
     const solid_t *s = l->map->solid;
     const solid_edge_t *e = &s->edge[edge];
+    if (is_smooth(s, edge)) return true;
     if (e->twin >= 0 || e->face[0] < 0 || e->face[1] < 0) return l->outline && e->twin >= 0 && !is_free(s, edge);
-    if (solid_is_smooth(s, e)) return true;
     return l->outline && s->object[s->face[e->face[0]].object].smooth_q30 <= 0;
 }
 

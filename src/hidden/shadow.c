@@ -57,10 +57,6 @@ static bool clip_by_planes(const shadows_t *s, const shadow_t *shadow, const sha
     return true;
 }
 
-static inline int64_t turn(const solid_place_t *p, int64_t ux, int64_t uy, const solid_place_t *a) {
-    return ux * ((int64_t)a->y - p->y) - uy * ((int64_t)a->x - p->x);
-}
-
 static inline int64_t span(int32_t a, int32_t b, int32_t lo, int32_t hi) {
     int64_t from = a < b ? a : b, to = a < b ? b : a;
     return (to > hi ? to : hi) - (from < lo ? from : lo);
@@ -69,19 +65,23 @@ static inline int64_t span(int32_t a, int32_t b, int32_t lo, int32_t hi) {
 /* The outline's edges from the page: is the line surely outside of one? Bit k of *open: not surely inside of edge k
  * (the last bit stands for all from there on). */
 static bool is_outside(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, uint64_t *open) {
-    const solid_place_t *place = s->map->place, *from = &line->end[0], *to = &line->end[1];
+    const solid_place_t *place = s->map->place, from = line->end[0], to = line->end[1];
+    const shadow_edge_t *e = &s->outline[shadow->outline];
+    const int64_t dx = to.x - from.x, dy = to.y - from.y; /* of places: 31 bits */
     /* a difference of two rounded places is off by a lat and a hair; no difference is larger than the box of both */
     const int64_t margin =
-        3 * (span(from->x, to->x, shadow->x0, shadow->x1) + span(from->y, to->y, shadow->y0, shadow->y1)) + 8;
-    *open = 0;
-    for (int32_t k = 0; k < shadow->outlines; k++) {
-        const shadow_edge_t *e = &s->outline[shadow->outline + k];
+        3 * (span(from.x, to.x, shadow->x0, shadow->x1) + span(from.y, to.y, shadow->y0, shadow->y1)) + 8;
+    uint64_t bits = 0;
+    for (int32_t k = 0; k < shadow->outlines; k++, e++) {
         const solid_place_t *p = &place[e->p], *q = &place[e->q];
-        const int64_t ux = (int64_t)q->x - p->x, uy = (int64_t)q->y - p->y;
-        const int64_t a = turn(p, ux, uy, from), b = turn(p, ux, uy, to);
-        if (a < -margin && b < -margin) return true;
-        if (a <= margin || b <= margin) *open |= (uint64_t)1 << (k < 63 ? k : 63);
+        const int64_t ux = q->x - p->x, uy = q->y - p->y;
+        const int64_t a = ux * (from.y - p->y) - uy * (from.x - p->x), b = a + ux * dy - uy * dx;
+        const int64_t least = a < b ? a : b;
+        if (least > margin) continue;
+        if ((a < b ? b : a) < -margin) return true;
+        bits |= (uint64_t)1 << (k < 63 ? k : 63);
     }
+    *open = bits;
     return false;
 }
 
@@ -115,8 +115,10 @@ static bool clip_by_outline(const shadows_t *s, const shadow_edge_t *e, const sh
 bool shadow_hides(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, int32_t *from, int32_t *to) {
     clip_t c = {0, INK_ONE};
     uint64_t open = ~(uint64_t)0;
+    const bool whole = shadow->planes > 1; /* a body fills its box, and half of what meets that is not behind it */
+    if (whole && !clip_by_planes(s, shadow, line, &c)) return false;
     if (!shadow->exact && !line->exact && is_outside(s, shadow, line, &open)) return false;
-    if (!clip_by_planes(s, shadow, line, &c)) return false;
+    if (!whole && !clip_by_planes(s, shadow, line, &c)) return false;
     for (int32_t k = 0; k < shadow->outlines && open; k++) {
         if (!(open >> (k < 63 ? k : 63) & 1)) continue;
         if (!clip_by_outline(s, &s->outline[shadow->outline + k], line, &c)) return false;

@@ -36,12 +36,22 @@ typedef struct shadow_edge {
     int32_t p, q;
 } shadow_edge_t;
 
-enum shadow_side { SHADOW_AWAY = 0, SHADOW_FRONT = 1, SHADOW_EDGE_ON = 2, SHADOW_SIDE = 3, SHADOW_BENT = 4 };
+/* What is known of a face: its side, and flags. */
+enum shadow_side {
+    SHADOW_AWAY = 0,
+    SHADOW_FRONT = 1, /* looks at the eye */
+    SHADOW_EDGE_ON = 2,
+    SHADOW_SIDE = 3,
+    SHADOW_BENT = 4,   /* not convex or not flat */
+    SHADOW_OPEN = 8,   /* of an open object, or the eye is inside: both sides of its faces may be seen */
+    SHADOW_WHOLE = 16, /* its object has one shadow */
+    SHADOW_SMOOTH = 32 /* its object has a `crease` or is a grid: not all of its edges are lines */
+};
 
 typedef struct shadows {
     const solid_map_t *map;
-    uint8_t *face;   /* enum shadow_side, or-ed with SHADOW_BENT: not convex or not flat */
-    uint8_t *object; /* kind (solid.h), or SOLID_OPEN for one that the eye is inside of */
+    uint8_t *face;   /* enum shadow_side */
+    uint8_t *object; /* SHADOW_OPEN, SHADOW_WHOLE, SHADOW_SMOOTH */
     shadow_t *list;
     int32_t n;
     shadow_plane_t *plane;
@@ -65,11 +75,19 @@ typedef struct shadow_line {
 int shadows_build(shadows_t *s, const solid_map_t *map, void *mem, size_t bytes);
 /* Does any face at the edge (one record of twins) look at the eye, or may both its sides be seen? Otherwise its own
  * object hides it. */
-bool shadows_is_candidate(const shadows_t *s, const solid_edge_t *edge);
+static inline bool shadows_is_candidate(const shadows_t *s, const solid_edge_t *e) {
+    const int32_t f = e->face[0], g = e->face[1];
+    if (f < 0 && g < 0) return true;
+    return (s->face[f < 0 ? g : f] | s->face[g < 0 ? f : g]) & (SHADOW_FRONT | SHADOW_OPEN);
+}
 /* What face it belongs to as shadow_t.owner has it: the whole object, or the one face. */
-int32_t shadows_owner(const shadows_t *s, int32_t face);
+static inline int32_t shadows_owner(const shadows_t *s, int32_t face) {
+    return s->face[face] & SHADOW_WHOLE ? ~s->map->solid->face[face].object : face;
+}
 /* Does one of the edge's two faces look at the eye and the other not? */
-bool shadows_is_outline(const shadows_t *s, const solid_edge_t *edge);
+static inline bool shadows_is_outline(const shadows_t *s, const solid_edge_t *e) {
+    return e->face[0] >= 0 && e->face[1] >= 0 && (s->face[e->face[0]] ^ s->face[e->face[1]]) & SHADOW_FRONT;
+}
 /* Is a part of the line in the shadow: parameters in space from *from to *to, 0 .. INK_ONE, *from < *to. */
 bool shadow_hides(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, int32_t *from, int32_t *to);
 

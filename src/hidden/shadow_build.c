@@ -9,23 +9,13 @@
 
 /* Does the face, by itself, hide anything? */
 static bool is_part(const shadows_t *s, int32_t f) {
-    const solid_face_t *face = &s->map->solid->face[f];
-    int32_t side = shadow_side_of(s, f);
-    if (s->object[face->object] == SOLID_OPEN) return (s->face[f] & SHADOW_BENT) || side != SHADOW_EDGE_ON;
-    return (s->face[f] & SHADOW_BENT) || side == SHADOW_FRONT;
-}
-
-static bool is_whole(const shadows_t *s, int32_t object) {
-    return s->object[object] == SOLID_CONVEX && s->map->solid->object[object].faces <= SHADOW_FACES_MOST;
-}
-
-int32_t shadows_owner(const shadows_t *s, int32_t face) {
-    const int32_t object = s->map->solid->face[face].object;
-    return is_whole(s, object) ? ~object : face;
+    const int32_t is = s->face[f];
+    if (is & SHADOW_WHOLE) return false;
+    return is & (SHADOW_BENT | SHADOW_FRONT) || ((is & SHADOW_OPEN) && (is & SHADOW_SIDE) == SHADOW_AWAY);
 }
 
 static bool is_outline(const shadows_t *s, const solid_edge_t *e) {
-    return shadows_is_outline(s, e) && is_whole(s, s->map->solid->face[e->face[0]].object);
+    return shadows_is_outline(s, e) && s->face[e->face[0]] & SHADOW_WHOLE;
 }
 
 typedef struct counts {
@@ -35,10 +25,10 @@ typedef struct counts {
 static counts_t count(const shadows_t *s) {
     const solid_t *solid = s->map->solid;
     counts_t c = {0, 0, 0};
-    for (int32_t o = 0; o < solid->no; o++) c.parts += is_whole(s, o);
+    for (int32_t o = 0; o < solid->no; o++) c.parts += (s->object[o] & SHADOW_WHOLE) != 0;
     for (int32_t f = 0; f < solid->nf; f++) {
-        if (is_whole(s, solid->face[f].object)) {
-            c.planes += shadow_side_of(s, f) == SHADOW_FRONT;
+        if (s->face[f] & SHADOW_WHOLE) {
+            c.planes += s->face[f] & SHADOW_FRONT;
         } else if (is_part(s, f)) {
             int32_t n = solid->face[f].n;
             bool bent = s->face[f] & SHADOW_BENT;
@@ -139,7 +129,7 @@ static int turn_seen(void *ctx, int32_t a, int32_t b, int32_t c) {
 static int add_bent(filling_t *fill, int32_t f, const solid_normal_t *n, void *spare, size_t bytes) {
     const solid_t *solid = fill->s->map->solid;
     const solid_face_t *face = &solid->face[f];
-    fill->open = fill->s->object[face->object] == SOLID_OPEN;
+    fill->open = fill->s->face[f] & SHADOW_OPEN;
     fill->away = shadow_side_of(fill->s, f) == SHADOW_AWAY;
     if (face->n == 4) {
         add_cell(fill, solid->corner + face->corner);
@@ -156,7 +146,7 @@ static int fill_faces(filling_t *fill, void *spare, size_t bytes) {
     const solid_t *solid = s->map->solid;
     for (int32_t f = 0; f < solid->nf; f++) {
         const solid_face_t *face = &solid->face[f];
-        if (is_whole(s, face->object) || !is_part(s, f)) continue;
+        if (!is_part(s, f)) continue;
         solid_normal_t n = solid_face_normal(solid, f);
         if (s->face[f] & SHADOW_BENT) {
             int err = add_bent(fill, f, &n, spare, bytes);
@@ -173,15 +163,17 @@ static int fill_faces(filling_t *fill, void *spare, size_t bytes) {
 static void fill_objects(shadows_t *s, counts_t *at, int32_t *part) {
     const solid_t *solid = s->map->solid;
     for (int32_t o = 0; o < solid->no; o++) {
-        if (!is_whole(s, o)) continue;
+        if (!(s->object[o] & SHADOW_WHOLE)) continue;
         part[o] = (int32_t)at->parts;
         s->list[at->parts] = EMPTY;
         s->list[at->parts++].owner = ~o;
     }
     for (int32_t f = 0; f < solid->nf; f++) {
-        if (!is_whole(s, solid->face[f].object)) continue;
+        if (!(s->face[f] & SHADOW_WHOLE)) continue;
         shadow_t *of = &s->list[part[solid->face[f].object]];
-        of->planes += shadow_side_of(s, f) == SHADOW_FRONT;
+        of->planes += s->face[f] & SHADOW_FRONT;
+        /* of what is in front of the eye, the outline and the nearest vertex are ends of faces that look at it */
+        if (!(s->face[f] & SHADOW_FRONT) && !s->map->any_behind) continue;
         for (int32_t k = 0; k < solid->face[f].n; k++) stretch(s, of, solid->corner[solid->face[f].corner + k]);
     }
     for (int32_t e = 0; e < solid->ne; e++)
@@ -196,7 +188,7 @@ static void fill_objects(shadows_t *s, counts_t *at, int32_t *part) {
         of->planes = of->outlines = 0;
     }
     for (int32_t f = 0; f < solid->nf; f++) {
-        if (!is_whole(s, solid->face[f].object) || shadow_side_of(s, f) != SHADOW_FRONT) continue;
+        if (!(s->face[f] & SHADOW_WHOLE) || !(s->face[f] & SHADOW_FRONT)) continue;
         shadow_t *of = &s->list[part[solid->face[f].object]];
         solid_normal_t n = solid_face_normal(solid, f);
         set_plane(&s->plane[of->plane + of->planes++], &n, shadow_corner(s, f, 0), false);
@@ -205,7 +197,7 @@ static void fill_objects(shadows_t *s, counts_t *at, int32_t *part) {
         const solid_edge_t *e = &solid->edge[k];
         if (!is_outline(s, e)) continue;
         shadow_t *of = &s->list[part[solid->face[e->face[0]].object]];
-        bool up = shadow_side_of(s, e->face[0]) == SHADOW_FRONT;
+        bool up = s->face[e->face[0]] & SHADOW_FRONT;
         s->outline[of->outline + of->outlines++] =
             up ? (shadow_edge_t){e->v[0], e->v[1]} : (shadow_edge_t){e->v[1], e->v[0]};
     }

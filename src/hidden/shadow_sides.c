@@ -51,20 +51,19 @@ static void find_inside(shadows_t *s) {
         s->object[o] = (s->object[o] & (ODD | SEEN)) == SEEN ? solid->object[o].kind : SOLID_OPEN;
 }
 
+/* Kinds become flags, which faces take over. */
+static void set_flags(shadows_t *s) {
+    const solid_t *solid = s->map->solid;
+    for (int32_t o = 0; o < solid->no; o++) {
+        const bool whole = s->object[o] == SOLID_CONVEX && solid->object[o].faces <= SHADOW_FACES_MOST;
+        s->object[o] = whole ? SHADOW_WHOLE : s->object[o] == SOLID_OPEN ? SHADOW_OPEN : 0;
+        if (solid->object[o].smooth_q30) s->object[o] |= SHADOW_SMOOTH;
+    }
+    for (int32_t f = 0; f < solid->nf; f++) s->face[f] |= s->object[solid->face[f].object];
+}
+
 void shadow_sides_find(shadows_t *s) {
     find_sides(s);
     find_inside(s);
-}
-
-bool shadows_is_candidate(const shadows_t *s, const solid_edge_t *edge) {
-    int32_t any = edge->face[0] >= 0 ? edge->face[0] : edge->face[1];
-    if (any < 0 || s->object[s->map->solid->face[any].object] == SOLID_OPEN) return true;
-    for (int k = 0; k < 2; k++)
-        if (edge->face[k] >= 0 && shadow_side_of(s, edge->face[k]) == SHADOW_FRONT) return true;
-    return false;
-}
-
-bool shadows_is_outline(const shadows_t *s, const solid_edge_t *e) {
-    return e->face[0] >= 0 && e->face[1] >= 0 &&
-           (shadow_side_of(s, e->face[0]) == SHADOW_FRONT) != (shadow_side_of(s, e->face[1]) == SHADOW_FRONT);
+    set_flags(s);
 }

@@ -7,7 +7,7 @@
 /* Fills in s->face and s->object; s->map is set. */
 void shadow_sides_find(shadows_t *s);
 
-/* Of a face, without SHADOW_BENT. */
+/* Of a face, without the flags. */
 static inline int32_t shadow_side_of(const shadows_t *s, int32_t f) {
     return s->face[f] & SHADOW_SIDE;
 }

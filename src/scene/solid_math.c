@@ -82,7 +82,7 @@ bool solid_is_across(const solid_t *s, const solid_edge_t *e) {
 
 bool solid_is_smooth(const solid_t *s, const solid_edge_t *e) {
     if (e->face[0] < 0 || e->face[1] < 0) return false;
-    int32_t least_q30 = s->object[s->face[e->face[0]].object].smooth_q30;
+    const int32_t least_q30 = s->object[s->face[e->face[0]].object].smooth_q30;
     if (!least_q30) return false;
     if (least_q30 == MESH_GRID) return solid_is_across(s, e);
     solid_normal_t a = solid_face_normal(s, e->face[0]), b = solid_face_normal(s, e->face[1]);

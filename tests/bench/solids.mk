@@ -1,5 +1,5 @@
 # `make bench-solids`: what solids cost; part of `make bench`.
-$(BUILDDIR)/bench/bench_solids: $(BUILDDIR)/obj/tests/bench/bench_solids.o $(BUILDDIR)/liboracle.a $(BUILDDIR)/libcore.a
+$(BUILDDIR)/bench/bench_solids: $(BUILDDIR)/obj/tests/bench/bench_solids.o $(BUILDDIR)/obj/tests/bench/brute_convex.o $(BUILDDIR)/liboracle.a $(BUILDDIR)/libcore.a
 	@mkdir -p $(@D)
 	$(call say,LD,$@)
 	$(Q)$(CC) $(LDFLAGS) $^ $(TEST_LIBS) -lm -o $@
