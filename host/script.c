@@ -107,6 +107,12 @@ static int port_read(void *ctx, int handle, char *buf, int size) {
     (void)ctx;
     FILE *f = script.file[handle];
     size_t n = fread(buf, 1, (size_t)size, f);
+    for (size_t k = 0; k < n; k++) { /* lines may end with CR alone */
+        if (buf[k] != '\r') continue;
+        const int next = k + 1 < n ? buf[k + 1] : fgetc(f);
+        if (k + 1 == n && next != EOF) ungetc(next, f);
+        if (next != '\n') buf[k] = '\n';
+    }
     return n == 0 && ferror(f) ? ERR_FILE : (int)n;
 }
 

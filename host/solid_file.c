@@ -119,11 +119,12 @@ static uint32_t little(const char *p) {
 static bool stl_binary(text_t *t) {
     const uint32_t n = little(t->bytes + 80);
     const size_t facets = (t->n - STL_HEAD) / STL_FACET;
-    char what[128];
+    char what[160];
     if (n == 0) return complain(t, "no facets");
     if (n > facets) {
         snprintf(what, sizeof what,
-                 "as a binary STL it should have %lu facets, but ends after %zu; a text begins with `solid`",
+                 "as a binary STL it should have %lu facets, but ends after %zu; a text begins with `solid` and has no "
+                 "zero bytes",
                  (unsigned long)n, facets);
         return complain(t, what);
     }
@@ -208,15 +209,28 @@ static bool read_all(FILE *f, text_t *t) {
     return !ferror(f) || complain(t, "cannot be read");
 }
 
+/* Lines may end with CR alone. */
+static void end_lines(text_t *t) {
+    for (size_t k = 0; k < t->n; k++)
+        if (t->bytes[k] == '\r' && t->bytes[k + 1] != '\n') t->bytes[k] = '\n';
+}
+
 static bool convert(text_t *t) {
     t->line = 1;
     if (t->n >= 3 && memcmp(t->bytes, "\xef\xbb\xbf", 3) == 0) t->at = t->begin = 3; /* the mark of UTF-8 */
-    if (ends_in(t->name, ".off")) return off(t);
+    if (ends_in(t->name, ".off")) {
+        end_lines(t);
+        return off(t);
+    }
     size_t at = t->at;
     while (at < t->n && isspace((unsigned char)t->bytes[at])) at++;
-    /* Some binary files begin with `solid`, too: the size tells. */
-    const bool solid = t->n - at >= 5 && strncasecmp(t->bytes + at, "solid", 5) == 0;
-    if (solid && (t->n < STL_HEAD || t->n != STL_HEAD + STL_FACET * (size_t)little(t->bytes + 80))) return stl_text(t);
+    /* Some binary files begin with `solid`, too: their size tells, or a zero byte if that is wrong. */
+    const bool solid = t->n - at >= 5 && strncasecmp(t->bytes + at, "solid", 5) == 0,
+               sized = t->n >= STL_HEAD && t->n == STL_HEAD + STL_FACET * (size_t)little(t->bytes + 80);
+    if (solid && !sized && !memchr(t->bytes, 0, t->n)) {
+        end_lines(t);
+        return stl_text(t);
+    }
     t->line = 0;
     if (t->n == 0) return complain(t, "the file is empty");
     if (t->n < STL_HEAD) return complain(t, "an STL begins with `solid`, as a text, or has 84 bytes at least");

@@ -1,5 +1,6 @@
 /* set_view.c - where the surface is seen from, which lines are hidden, and how high it floats above its base plane. */
 #include "lang/session_parts.h"
+#include <string.h>
 
 static int three(session_t *s, lexer_t *lx, num_t out[3]) {
     for (int k = 0; k < 3; k++) {
@@ -103,6 +104,11 @@ int set_view(session_t *s, lexer_t *lx) {
     return view_rotation(s, lx);
 }
 
+/* A word that changes nothing in the mode at hand. */
+static void warn_ignored(session_t *s, const char *word) {
+    session_warn(s, "set hidden3d: ", word, strlen(word), " is ignored in this mode");
+}
+
 int set_hidden3d(session_t *s, lexer_t *lx) {
     /* gnuplot's own options choose colours, triangle diagonals and undefined points; the last four take a number. */
     static const word_t taken[] = {{"def$aults", 0},  {"fr$ont", 0},      {"ba$ck", 0},
@@ -156,7 +162,9 @@ int set_hidden3d(session_t *s, lexer_t *lx) {
 #if CONFIG_AREA
     s->settings.outline = outline;
     s->settings.seams = seams;
+    if (seams && mode != HIDDEN_PERIMETER && mode != HIDDEN_CONVEX) warn_ignored(s, "seams");
 #endif
+    if (dashed && (mode == HIDDEN_HALO || mode == HIDDEN_NONE)) warn_ignored(s, "dashed");
     s->settings.hidden = mode;
     s->settings.dashed = dashed;
     s->settings.horizon_infinite = infinite;

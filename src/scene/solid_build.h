@@ -22,7 +22,7 @@ typedef struct solid_build {
     uint32_t slots;       /* a power of two */
     int32_t *corner_face; /* face of each corner */
     int32_t *corner_next; /* the next corner whose edge lies between the same vertices; -1 */
-    int32_t *group;       /* of each face: which `o` or `g` of which mesh */
+    int32_t *group;       /* of each face: which `o` or `g` of which mesh; they do not decrease */
     uint32_t *parent;     /* of faces: parent << 1 | does it run the other way; then the face's turn alone */
 } solid_build_t;
 

@@ -91,16 +91,15 @@ static void unite(solid_build_t *b, int32_t c, int32_t d) {
     b->object[f].kind |= b->object[g].kind;
 }
 
-/* Bodies that touch: of an edge with more faces, the two of each group belong together. */
+/* Bodies that touch: of an edge with more faces, the two of each group belong together. A chain has its corners in
+ * order, and so its groups. */
 static void unite_groups(solid_build_t *b, int32_t first) {
-    for (int32_t c = first; c >= 0; c = b->corner_next[c]) {
-        int32_t other = -1, n = 0;
-        for (int32_t d = first; d >= 0 && n < 2; d = b->corner_next[d]) {
-            if (d == c || b->group[b->corner_face[d]] != b->group[b->corner_face[c]]) continue;
-            other = d;
-            n++;
-        }
-        if (n == 1 && other < c && b->corner_face[other] != b->corner_face[c]) unite(b, c, other);
+    for (int32_t c = first, after; c >= 0; c = after) {
+        const int32_t next = b->corner_next[c];
+        int32_t n = 0;
+        for (after = c; after >= 0 && b->group[b->corner_face[after]] == b->group[b->corner_face[c]]; n++)
+            after = b->corner_next[after];
+        if (n == 2 && b->corner_face[next] != b->corner_face[c]) unite(b, c, next);
     }
 }
 
@@ -156,36 +155,36 @@ static void put_face(const solid_build_t *b, solid_edge_t *e, int32_t c) {
     e->face[e->face[side] < 0 ? side : 1 - side] = f;
 }
 
-/* Spreads the corners of one pair of vertices over edges: two corners of an object to each. */
+/* Spreads the corners of one pair of vertices over edges: two corners of an object to each. group[object] is the edge
+ * at hand of each, in the memory of what is not needed any more; -1 before and after. */
 static void spread_corners(solid_build_t *b, int32_t first) {
-    int32_t c = b->edge[first].face[0], last = first;
-    if (c < 0) return;
+    const int32_t head = b->edge[first].face[0];
+    int32_t last = -1;
+    if (head < 0) return;
     b->edge[first].face[0] = -1;
-    bool used = false;
-    while (c >= 0) {
-        int32_t object = b->face[b->corner_face[c]].object, *link = &c, taken = 0;
-        const int32_t e = used ? b->s->ne : first;
-        if (used) {
-            solid_edge_t *twin = solid_new_edge(b, b->edge[first].v[0], b->edge[first].v[1]);
-            if (!twin) return;
-            twin->first = first;
-            b->edge[last].twin = e;
+    for (int32_t c = head; c >= 0; c = b->corner_next[c]) {
+        const int32_t object = b->face[b->corner_face[c]].object;
+        int32_t *e = &b->group[object];
+        if (*e >= 0 && b->edge[*e].face[0] >= 0 && b->edge[*e].face[1] >= 0) { /* more than two */
+            b->object[object].kind = SOLID_OPEN;
+            *e = -1;
         }
-        used = true;
-        last = e;
-        while (*link >= 0) {
-            int32_t at = *link;
-            bool own = b->face[b->corner_face[at]].object == object;
-            if (own && taken < 2) {
-                put_face(b, &b->edge[e], at);
-                *link = b->corner_next[at];
-                taken++;
-                continue;
+        if (*e < 0) {
+            *e = last < 0 ? first : b->s->ne;
+            if (last >= 0) {
+                solid_edge_t *twin = solid_new_edge(b, b->edge[first].v[0], b->edge[first].v[1]);
+                if (!twin) return;
+                twin->first = first;
+                b->edge[last].twin = *e;
             }
-            if (own) b->object[object].kind = SOLID_OPEN; /* more than two */
-            link = &b->corner_next[at];
+            last = *e;
         }
-        if (taken < 2) b->object[object].kind = SOLID_OPEN;
+        put_face(b, &b->edge[*e], c);
+    }
+    for (int32_t c = head; c >= 0; c = b->corner_next[c]) {
+        const int32_t object = b->face[b->corner_face[c]].object, e = b->group[object];
+        if (e >= 0 && (b->edge[e].face[0] < 0 || b->edge[e].face[1] < 0)) b->object[object].kind = SOLID_OPEN;
+        b->group[object] = -1;
     }
 }
 
@@ -251,6 +250,7 @@ void solid_join(solid_build_t *b) {
     if (b->full) return;
     unite_all(b);
     number_objects(b);
+    memset(b->group, 0xff, (size_t)s->no * sizeof *b->group);
     int32_t pairs = s->ne;
     for (int32_t e = 0; e < pairs; e++) spread_corners(b, e);
     if (b->full) return;
