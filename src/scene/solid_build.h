@@ -38,6 +38,9 @@ static inline solid_edge_t *solid_new_edge(solid_build_t *b, int32_t p, int32_t 
 
 /* solid_join.c: from corners to edges, objects and kinds. s->ne: free segments are there already. */
 void solid_join(solid_build_t *b);
+/* solid_double.c: leaves out faces that their group has twice, before there are corners' chains; returns whether there
+ * were any. parent, slot: used meanwhile. Not done when memory is so short that slots are fewer than faces. */
+bool solid_drop_doubles(solid_build_t *b);
 /* solid_convex.c: objects marked convex that are not become closed ones. Faces run outward. */
 void solid_find_convex(solid_build_t *b);
 

@@ -35,12 +35,14 @@ static int32_t *slot_of(const solid_build_t *b, int32_t p, int32_t q) {
 
 /* Free segments that are there twice are one. */
 static void chain_segments(solid_build_t *b) {
+    memset(b->slot, 0xff, b->slots * sizeof *b->slot);
     int32_t n = 0;
     for (int32_t e = 0; e < b->s->ne; e++) {
         int32_t *slot = slot_of(b, b->edge[e].v[0], b->edge[e].v[1]);
         if (*slot >= 0) continue;
         b->edge[n] = b->edge[e];
         b->edge[n].first = n;
+        b->edge[n].face[0] = -1; /* if corners were chained already */
         *slot = n++;
     }
     b->s->ne = n;
@@ -58,6 +60,15 @@ static void chain_corners(solid_build_t *b) {
         b->corner_next[c] = b->edge[*slot].face[0];
         b->edge[*slot].face[0] = c;
     }
+}
+
+/* Has any edge more than two faces? */
+static bool is_crowded(const solid_build_t *b) {
+    for (int32_t e = 0; e < b->s->ne; e++) {
+        const int32_t c = b->edge[e].face[0];
+        if (c >= 0 && b->corner_next[c] >= 0 && b->corner_next[b->corner_next[c]] >= 0) return true;
+    }
+    return false;
 }
 
 /* The face that stands for f's object; *turned: does f run the other way? Halves the path. */
@@ -244,9 +255,14 @@ static void turn_outward(solid_build_t *b) {
 void solid_join(solid_build_t *b) {
     solid_t *s = b->s;
     if (b->full) return;
-    memset(b->slot, 0xff, b->slots * sizeof *b->slot);
     chain_segments(b);
+    const int32_t segments = s->ne;
     chain_corners(b);
+    if (!b->full && is_crowded(b) && solid_drop_doubles(b)) {
+        s->ne = segments;
+        chain_segments(b);
+        chain_corners(b);
+    }
     if (b->full) return;
     unite_all(b);
     number_objects(b);

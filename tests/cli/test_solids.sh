@@ -117,6 +117,62 @@ endloop\r\nendfacet\r\nendsolid' "$zeros" >a.stl # the mark of UTF-8, Windows li
     near "$(ink a.seg)" "$(ink b.seg)"
 }
 
+# Lines that end with CR alone; a binary STL that begins with `solid` and is not as long as it says.
+lines_and_lengths() {
+    cube >a.obj
+    printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n' >b.off
+    printf 'solid two words\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet\nendsolid two words\n' >c.stl
+    for f in a.obj b.off c.stl; do
+        tr '\n' '\r' <$f >mac.${f#*.}
+        printf "splot '$f'\n" >lf.gp
+        printf "splot 'mac.${f#*.}'\n" >cr.gp
+        ridgeline plot lf.gp -o lf.seg
+        ridgeline plot cr.gp -o cr.seg 2>err
+        [ ! -s err ]
+        cmp lf.seg cr.seg
+    done
+    printf 'v 0 0 0\rv 1 0 0\rv 0 1 nought\rf 1 2 3\r' >mac.obj
+    printf "splot 'mac.obj'\n" >cr.gp
+    expect_status 2 ridgeline plot cr.gp -o cr.seg 2>err
+    expect_text err 'line 3, column 7'
+    { printf 'solid but binary'; head -c 64 /dev/zero; printf '\3\0\0\0'; head -c 100 /dev/zero; } >a.stl
+    echo "splot 'a.stl'" >a.gp
+    expect_status 2 ridgeline plot a.gp -o a.seg 2>err
+    expect_text err 'should have 3 facets, but ends after 2'
+}
+
+words_that_change_nothing_are_told() {
+    cube >a.obj
+    printf "set hidden3d halo dashed\nset hidden3d area seams\nset hidden3d dashed seams\nsplot 'a.obj'\n" >a.gp
+    ridgeline plot a.gp -o a.seg 2>err
+    expect_text err 'line 1: warning: set hidden3d: dashed is ignored in this mode' \
+        'line 2: warning: set hidden3d: seams is ignored in this mode'
+    [ "$(wc -l <err)" -eq 2 ]
+}
+
+# However often a mesh is there, its smooth edges are no lines.
+smooth_twice() {
+    awk 'BEGIN {
+        n = 12; m = 24; pi = atan2(0, -1)
+        for (i = 0; i <= n; i++)
+            for (j = 0; j < m; j++)
+                printf "v %.6f %.6f %.6f\n", sin(pi*i/n)*cos(2*pi*j/m), sin(pi*i/n)*sin(2*pi*j/m), cos(pi*i/n)
+        for (i = 0; i < n; i++)
+            for (j = 0; j < m; j++) {
+                a = i*m + j + 1; b = i*m + (j + 1) % m + 1
+                print "f", a, a + m, b + m
+                print "f", a, b + m, b
+            }
+    }' >one.obj
+    { cat one.obj; awk '/^f/ { print "f", $4, $3, $2 }' one.obj; } >twice.obj
+    for mode in convex halo area; do
+        printf "set hidden3d $mode\nset crease 40\nsplot 'one.obj'\nsplot 'twice.obj'\nsplot 'one.obj', 'one.obj'\n" >a.gp
+        ridgeline plot a.gp -o a.seg
+        near "$(ink a.seg)" "$(ink a-2.seg)"
+        near "$(ink a.seg)" "$(ink a-3.seg)"
+    done
+}
+
 rows_as_they_are_typed() {
     cube >a.obj
     { echo 'set view 65,40'; echo "splot '-' solid translate 1,0,0"; cat a.obj; echo e; } >a.gp
@@ -224,4 +280,4 @@ thousands_of_concave_parts() {
 
 run_tests a_surface_of_facets_is_the_surface formats_are_the_same_body a_binary_stl_is_read what_is_wrong_is_said damaged_files \
     rows_as_they_are_typed hidden_parts_are_dashed what_falls_together_is_drawn_once an_outline_is_closed \
-    bodies_that_meet_have_seams thousands_of_concave_parts
+    bodies_that_meet_have_seams thousands_of_concave_parts lines_and_lengths words_that_change_nothing_are_told smooth_twice

@@ -87,6 +87,53 @@ static void bodies_that_touch_are_two(void **state) {
     for (int o = 0; o < 2; o++) assert_int_equal(solid.object[o].kind, SOLID_CONVEX);
 }
 
+/* A face twice in a group is one, whichever way round and wherever it begins; in two groups there are two bodies. */
+static void faces_that_are_there_twice_are_one(void **state) {
+    (void)state;
+    char text[8000];
+    size_t n = add_box(text, 0, 0, 0, 0, 1, 1, 1, "012345012");
+    n += (size_t)sprintf(text + n, "f 3 4 2 1\nf 8 7 5 6\nl 1 2\nl 1 8\nl 8 1\n"); /* once more, the other way */
+    assert_int_equal(build(text), 0);
+    assert_int_equal(solid.nf, 6);
+    assert_int_equal(solid.ne, 13);
+    assert_int_equal(solid.no, 1);
+    assert_int_equal(solid.object[0].kind, SOLID_CONVEX);
+    n = add_box(text, 0, 0, 0, 0, 1, 1, 1, "012345");
+    add_box(text, n, 0, 0, 0, 1, 1, 1, "012345");
+    assert_int_equal(build(text), 0);
+    assert_int_equal(solid.no, 2);
+    assert_int_equal(solid.nf, 12);
+    /* the same corners in another order are another face */
+    assert_int_equal(build("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 3 2 4\nf 1 2 3\nf 1 2 4\nf 2 1 3\n"), 0);
+    assert_int_equal(solid.nf, 4);
+}
+
+/* What is at an edge of many faces: each in a group of its own, and all in one. */
+static void fans_of_many_faces(void **state) {
+    (void)state;
+    enum { FAN = 1000 };
+    char *text = malloc(FAN * 80);
+    assert_non_null(text);
+    for (int groups = 0; groups < 2; groups++) {
+        size_t n = (size_t)sprintf(text, "v 0 0 0\nv 0 0 1\n");
+        for (int k = 0; k < FAN; k++)
+            n +=
+                (size_t)sprintf(text + n, "v %.9f %.9f %d\n%sf 1 2 -1\n", cos(k), sin(k), k & 1, groups ? "o a\n" : "");
+        assert_int_equal(build(text), 0);
+        assert_int_equal(solid.no, FAN);
+        assert_int_equal(solid.ne, 3 * FAN);
+        int32_t twins = 0;
+        for (int32_t e = 0; e < solid.ne; e++) {
+            assert_true(solid.edge[e].face[0] < 0 || solid.edge[e].face[1] < 0);
+            if (solid.edge[e].first != e) continue;
+            for (int32_t k = e; k >= 0; k = solid.edge[k].twin) twins += k != e;
+        }
+        assert_int_equal(twins, FAN - 1);
+        for (int32_t o = 0; o < solid.no; o++) assert_int_equal(solid.object[o].kind, SOLID_OPEN);
+    }
+    free(text);
+}
+
 /* A cube one side of which is a frame with a window in it, whichever way round that is given, and a pane: its outer
  * side is that of the cube. */
 static void what_fills_a_hole_looks_out(void **state) {
@@ -415,6 +462,8 @@ int main(void) {
         cmocka_unit_test(files_of_other_programs),
         cmocka_unit_test(a_cube_is_one_convex_object),
         cmocka_unit_test(bodies_that_touch_are_two),
+        cmocka_unit_test(faces_that_are_there_twice_are_one),
+        cmocka_unit_test(fans_of_many_faces),
         cmocka_unit_test(what_fills_a_hole_looks_out),
         cmocka_unit_test(kinds_of_bodies),
         cmocka_unit_test(touching_bodies),
