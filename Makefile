@@ -131,7 +131,7 @@ test-fuzz: fuzz
 FUZZ_SECONDS ?= 60
 # A tree of calls that only the limit ends would take seconds here: a lower one.
 FUZZ_CFLAGS := -std=c11 -g -O1 -MMD -MP -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all \
-               -DCONFIG_CALL_WORK=10000
+               -DCONFIG_CALL_WORK=10000 -DCONFIG_TURNS=20
 FUZZ_OBJ := $(CORE_SRC:%.c=$(BUILDDIR)/fuzz/obj/%.o) $(SIM_SRC:%.c=$(BUILDDIR)/fuzz/obj/%.o)
 fuzz: $(FUZZERS) ## run each fuzz target for FUZZ_SECONDS (60)
 	$(Q)FUZZ_SECONDS=$(FUZZ_SECONDS) FUZZ_SEED=0 $(RUN_TESTS) $(FUZZERS)

@@ -6,10 +6,10 @@
 #ifndef CONFIG_H
 #define CONFIG_H
 
-/* One logical line of commands, continuations joined, without its end (bytes). Held once for what was typed,
+/* One logical line of commands, continuations and blocks joined, without its end (bytes). Held once for what was typed,
  * once for replot, and once per level of `load`: (2 + CONFIG_LOAD_DEPTH) * (CONFIG_LINE_MAX + 1) bytes. */
 #ifndef CONFIG_LINE_MAX
-#define CONFIG_LINE_MAX 2048
+#define CONFIG_LINE_MAX 8192
 #endif
 
 /* How deep `load` may nest. 0 leaves out files altogether. */
@@ -45,6 +45,18 @@
 /* Parametric surfaces (0 or 1): 2 KB of flash; needs CONFIG_SOLIDS. */
 #ifndef CONFIG_PARAMETRIC
 #define CONFIG_PARAMETRIC CONFIG_AREA
+#endif
+
+/* if, do, while and `for` (0 or 1): 3 KB of flash. How many blocks may be open; how often loops may go round before
+ * what was typed counts as caught in one. */
+#ifndef CONFIG_CONTROL
+#define CONFIG_CONTROL CONFIG_AREA
+#endif
+#ifndef CONFIG_BLOCKS
+#define CONFIG_BLOCKS 8
+#endif
+#ifndef CONFIG_TURNS
+#define CONFIG_TURNS 1000000
 #endif
 
 /* 1: edges of solids that are turned from the eye are not asked what they coincide with (hidden/once_away.h). Nothing
@@ -128,7 +140,7 @@ _Static_assert(CONFIG_PARTS >= 64 && CONFIG_PARTS <= 4096, "lang/parts.h, lang/h
 
 /* Physical lines that may be joined into one by `\` and still be told apart in messages: 2 bytes each, at least 1. */
 #ifndef CONFIG_JOINS
-#define CONFIG_JOINS 32
+#define CONFIG_JOINS 256
 #endif
 
 /* Names of files, texts to print, and prompts of `pause` (bytes); held 1 + CONFIG_LOAD_DEPTH times. */

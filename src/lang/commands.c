@@ -81,6 +81,10 @@ static int named_command(session_t *s, lexer_t *lx, int index) {
     lexer_t word = *lx;
     lexer_next(lx);
     switch (words_command[index].id) {
+#if CONFIG_CONTROL
+    case CMD_CONTROL:
+        return control_command(s, lx, &word);
+#endif
     case CMD_EXIT:
         return exit_command(s, lx);
     case CMD_HELP:
@@ -117,6 +121,9 @@ static int named_command(session_t *s, lexer_t *lx, int index) {
 
 int command_execute(session_t *s, lexer_t *lx) {
     if (lexer_accept(lx, '?')) return help_command(s, lx);
+#if CONFIG_CONTROL
+    if (lx->tok.kind == '}') return control_close(s, lx);
+#endif
 #if CONFIG_LOAD_DEPTH
     if (lx->tok.kind == '$') return block_command(s, lx);
 #endif

@@ -2,6 +2,7 @@
  *
  * What a number is follows gnuplot's scanner: 08 is 0 and then 8, 0x is 0 and then x, 1..2 is 1. and then .2. */
 #include "lang/lexer.h"
+#include "config.h"
 #include "num/num_double.h"
 
 static bool is_digit(char c) {
@@ -19,6 +20,13 @@ static int digit_of(char c, int base) {
     if (c >= 'A' && c <= 'F') d = c - 'A' + 10;
     return d < base ? d : -1;
 }
+
+/* Line feeds stand between the lines of a block, and end commands. */
+#if CONFIG_CONTROL
+#define BLANKS " \t\r\f\v"
+#else
+#define BLANKS " \t\r\f\v\n"
+#endif
 
 static char at(const lexer_t *lx, uint32_t i) {
     return i < lx->len ? lx->text[i] : 0;
@@ -107,7 +115,7 @@ static void scan_string(lexer_t *lx) {
     char quote = at(lx, t->start);
     uint32_t i = t->start + 1;
     t->kind = TOKEN_STRING;
-    for (; i < lx->len; i++) {
+    for (; i < lx->len && (!CONFIG_CONTROL || lx->text[i] != '\n'); i++) {
         if (quote == '"' && lx->text[i] == '\\' && i + 1 < lx->len) {
             i++;
         } else if (lx->text[i] == quote) {
@@ -120,7 +128,7 @@ static void scan_string(lexer_t *lx) {
     }
     t->kind = TOKEN_BAD;
     t->bad = "string without its closing quote";
-    lx->pos = lx->len;
+    lx->pos = i;
 }
 
 /* The operators of two characters; anything else is one character. */
@@ -152,8 +160,18 @@ void lexer_start(lexer_t *lx, const char *text, size_t len) {
 void lexer_next(lexer_t *lx) {
     token_t *t = &lx->tok;
     *t = (token_t){.kind = TOKEN_END, .start = lx->pos}; /* the end is where the last token ended, not behind blanks */
-    while (lx->pos < lx->len && memchr(" \t\r\n\f\v", lx->text[lx->pos], 6)) lx->pos++;
+    while (lx->pos < lx->len && memchr(BLANKS, lx->text[lx->pos], sizeof BLANKS - 1)) lx->pos++;
     char c = at(lx, lx->pos);
+#if CONFIG_CONTROL
+    if (c == '#')
+        while ((c = at(lx, lx->pos)) != 0 && c != '\n') lx->pos++;
+    if (c == '\n') {
+        t->kind = ';';
+        t->start = lx->pos++;
+        t->len = 1;
+        return;
+    }
+#endif
     if (c == 0 || c == '#') {
         lx->pos = t->start;
         return;

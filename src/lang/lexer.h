@@ -7,8 +7,9 @@
  *     lexer_start(&lx, line, len);          lx.tok is already the first token
  *     while (lx.tok.kind != TOKEN_END) lexer_next(&lx);
  *
- * A `#` outside of a string ends the line. Numbers as in gnuplot: 12, 0x1f, 017 (octal), 1. .5 1e-3; an integer
- * constant beyond 63 bits is a real. Strings: '..' with '' for a quote, "..." with backslash escapes. */
+ * A `#` outside of a string ends the line. A line feed (CONFIG_CONTROL) is a token like ';'. Numbers as in gnuplot: 12,
+ * 0x1f, 017 (octal), 1. .5 1e-3; an integer constant beyond 63 bits is a real. Strings: '..' with '' for a quote, "..."
+ * with backslash escapes. */
 #ifndef LEXER_H
 #define LEXER_H
 

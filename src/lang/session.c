@@ -111,6 +111,9 @@ int session_line(session_t *s, const char *text) {
     int err = 0;
     bool rows_left = false;
     s->error = (lang_error_t){0};
+#if CONFIG_CONTROL
+    s->turns = 0;
+#endif
     f->line++;
     if (s->quit || session_pass_over(s, text)) return 0;
     if (s->plot.waiting) {
@@ -147,8 +150,14 @@ int session_end(session_t *s) {
     while (!err && s->plot.waiting) err = plot_feed_end(s);
     if (!err && in_block(s)) err = lang_error_set(&s->error, ERR_SYNTAX, 0, SESSION_NO_END);
     if (!err && f->more) {
+#if CONFIG_CONTROL
+        const bool block = f->braces > 0;
+#else
+        const bool block = false;
+#endif
         session_forget_line(f);
-        err = lang_error_set(&s->error, ERR_SYNTAX, 0, "the last line is to be continued, but nothing follows");
+        err = lang_error_set(&s->error, ERR_SYNTAX, 0,
+                             block ? SESSION_NO_BRACE : "the last line is to be continued, but nothing follows");
     }
     if (!err) err = run(s);
     return err < 0 ? give_up(s, err) : 0;

@@ -5,7 +5,7 @@
  * Nothing is drawn if any part of a plot command is wrong, and a line is executed command by command: what stands
  * before a wrong command has been done.
  *
- * Memory: sizeof(session_t) is 64 KB with the desktop's capacities, half of it lang_t (names.h), and 6 KB with a small
+ * Memory: sizeof(session_t) is 120 KB with the desktop's capacities, half of it lang_t (names.h), and 6 KB with a small
  * board's (config.h). Context: main loop only. No recursion: `load` has its own small stack of files. */
 #ifndef SESSION_H
 #define SESSION_H
@@ -45,10 +45,28 @@ typedef struct session_port {
 
 enum session_state {
     SESSION_READY, /* the next line is a command */
-    SESSION_MORE,  /* the last line ended in `\`: the next one continues it */
+    SESSION_MORE,  /* the last line ended in `\`, or a block is open: the next one continues it */
     SESSION_DATA,  /* rows of inline data, up to a line `e`, or lines of a data block */
     SESSION_QUIT,  /* `quit` was executed: feed no more lines */
 };
+
+#if CONFIG_CONTROL
+/* `[i=first:last:step]` on its way. */
+typedef struct control_range {
+    int symbol;
+    bool was_defined; /* before; then */
+    value_t before;
+    int64_t now, last, step;
+} control_range_t;
+
+/* A block being executed; places are those of the logical line. */
+typedef struct session_block {
+    enum { BLOCK_IF, BLOCK_FOR, BLOCK_WHILE } kind;
+    uint32_t body;         /* behind its { */
+    uint32_t again;        /* of a while: its condition */
+    control_range_t range; /* of a for */
+} session_block_t;
+#endif
 
 /* Where lines come from: the caller, or a file being loaded. */
 typedef struct session_frame {
@@ -60,6 +78,12 @@ typedef struct session_frame {
     int32_t joins;
     bool more;  /* unfinished: ended in a backslash */
     lexer_t lx; /* how far text has been executed */
+#if CONFIG_CONTROL
+    session_block_t block[CONFIG_BLOCKS];
+    int32_t blocks;
+    int32_t braces; /* open in the text, as far as it is counted */
+    uint32_t counted;
+#endif
     uint32_t len;
     char text[CONFIG_LINE_MAX + 1];
 } session_frame_t;
@@ -115,6 +139,9 @@ typedef struct session {
 #endif
     bool rows_left; /* the inline data were refused, and rows of them are still coming */
     bool quit;
+#if CONFIG_CONTROL
+    int32_t turns; /* of loops, since the last line came in */
+#endif
     bool logscale;                                      /* set logscale, nonlinear */
     enum { AXES_XY, AXES_PARAMETRIC, AXES_POLAR } axes; /* set parametric, polar: what expressions mean */
 #if CONFIG_PARAMETRIC

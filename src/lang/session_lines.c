@@ -5,6 +5,10 @@ void session_forget_line(session_frame_t *f) {
     f->len = 0;
     f->joins = 0;
     f->more = false;
+#if CONFIG_CONTROL
+    f->blocks = f->braces = 0;
+    f->counted = 0;
+#endif
     f->text[0] = '\0';
     lexer_start(&f->lx, f->text, 0);
 }
@@ -37,6 +41,15 @@ void session_end_line(session_frame_t *f) {
         if (f->joins < CONFIG_JOINS) f->join[f->joins++] = (uint16_t)f->len;
         return;
     }
+#if CONFIG_CONTROL
+    f->more = control_is_open(f);
+    if (f->more && f->len < CONFIG_LINE_MAX) {
+        f->text[f->len++] = '\n';
+        f->counted = f->len;
+        if (f->joins < CONFIG_JOINS) f->join[f->joins++] = (uint16_t)f->len;
+        return;
+    }
+#endif
     f->text[f->len] = '\0';
     lexer_start(&f->lx, f->text, f->len);
 }
@@ -86,6 +99,9 @@ int session_next_line(session_t *s, session_frame_t *f) {
         f->line++;
         session_end_line(f);
         if (!f->more) return 1;
+#if CONFIG_CONTROL
+        if (n == 0 && f->braces > 0) return lang_error_set(&s->error, ERR_SYNTAX, 0, SESSION_NO_BRACE);
+#endif
         if (n == 0) { /* the file ends in a backslash */
             f->text[f->len] = '\0';
             lexer_start(&f->lx, f->text, f->len);

@@ -20,6 +20,7 @@ void session_end_line(session_frame_t *f);
 int session_next_line(session_t *s, session_frame_t *f);
 int session_file_data(session_t *s, session_frame_t *f);
 int session_file_block(session_t *s, session_frame_t *f);
+#define SESSION_NO_BRACE "a { is not closed"
 #define SESSION_NO_END "the data block has no end"
 /* session_rows.c: is this line a row that is passed over? */
 bool session_pass_over(session_t *s, const char *text);
@@ -41,6 +42,23 @@ void session_warn(session_t *s, const char *what, const char *word, size_t len, 
 void session_warn_once(session_t *s, uint8_t *bits, int index, const char *what, const lexer_t *lx, const char *why);
 /* Begins to execute a file at the next command. */
 int session_load(session_t *s, const char *name, const lexer_t *at);
+
+/* Is the current token the end of a physical line? */
+static inline bool session_is_line_end(const lexer_t *lx) {
+    return lx->tok.kind == ';' && *lexer_text(lx) == '\n';
+}
+
+#if CONFIG_CONTROL
+/* control.c: if and its like, behind their word; at a }; does the text so far hold an open brace? */
+int control_command(session_t *s, lexer_t *lx, const lexer_t *word);
+int control_close(session_t *s, lexer_t *lx);
+bool control_is_open(session_frame_t *f);
+/* `[i=first:last:step]`, at its bracket; is there a value left; the variable gets it; has what it had before. */
+int control_range(session_t *s, lexer_t *lx, control_range_t *r);
+bool control_within(const control_range_t *r);
+void control_set(session_t *s, const control_range_t *r);
+void control_restore(session_t *s, const control_range_t *r);
+#endif
 
 /* commands.c */
 int command_execute(session_t *s, lexer_t *lx);

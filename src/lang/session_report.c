@@ -2,7 +2,7 @@
 #include "lang/session_parts.h"
 
 bool session_at_end(const lexer_t *lx) {
-    return lx->tok.kind == TOKEN_END || lx->tok.kind == ';';
+    return lx->tok.kind == TOKEN_END || lx->tok.kind == ';' || (CONFIG_CONTROL && lx->tok.kind == '}');
 }
 
 int session_expect_end(session_t *s, const lexer_t *lx) {
@@ -10,7 +10,8 @@ int session_expect_end(session_t *s, const lexer_t *lx) {
 }
 
 void session_skip(lexer_t *lx) {
-    while (!session_at_end(lx)) lexer_next(lx);
+    for (int32_t open = 0; !session_at_end(lx) || (open > 0 && lx->tok.kind == '}'); lexer_next(lx))
+        open += (lx->tok.kind == '{') - (lx->tok.kind == '}');
 }
 
 int session_fail(session_t *s, const lexer_t *lx, int code, const char *message) {
@@ -70,6 +71,7 @@ static void place_error(session_t *s, const char **text, size_t *len) {
     int32_t k = 0;
     while (k < f->joins && e->column > f->join[k]) start = f->join[k++];
     if (k < f->joins) end = f->join[k];
+    if (end > start && f->text[end - 1] == '\n') end--;
     *text = f->text + start;
     *len = end - start;
     if (e->column > 0) e->column -= (int32_t)start;

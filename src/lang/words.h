@@ -18,6 +18,7 @@ int words_find(const word_t *table, const lexer_t *lx);
 bool words_match(const char *pattern, const char *text, size_t len);
 
 enum command_id {
+    CMD_CONTROL,
     CMD_EXIT,
     CMD_HELP,
     CMD_LOAD,

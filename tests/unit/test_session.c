@@ -74,7 +74,7 @@ static void errors_have_a_place(void **state) {
         {"print 1,", ERR_SYNTAX, 1, 9, ""},
         {"print xyz", ERR_NAME, 1, 7, "xyz"},
         {"load 'nofile'", ERR_FILE, 1, 6, "nofile"},
-        {"do for [i=1:3] { print i }", ERR_UNSUPPORTED, 1, 1, "do"},
+        {"call 'x' 1", ERR_UNSUPPORTED, 1, 1, "call"},
         {"help foobar", ERR_NAME, 1, 6, "foobar"},
         {"3+4", ERR_SYNTAX, 1, 1, "command"},
         {"splot x*y; set foo", ERR_NAME, 1, 16, "foo"},

@@ -1,0 +1,247 @@
+/* control.c - if, else, do for, while, break and continue.
+ *
+ * A logical line holds a whole block: lines are joined until its braces are closed. So control is a matter of going to
+ * another place of the line, and what is open is a small stack of places; nothing recurses. */
+#include "lang/session_parts.h"
+
+#if CONFIG_CONTROL
+static void go_to(lexer_t *lx, uint32_t at) {
+    lx->pos = at;
+    lexer_next(lx);
+}
+
+/* From behind a { to behind its }. */
+static void skip_block(lexer_t *lx) {
+    for (int32_t open = 1; open > 0 && lx->tok.kind != TOKEN_END; lexer_next(lx))
+        open += (lx->tok.kind == '{') - (lx->tok.kind == '}');
+}
+
+/* Goes to the end of the physical line, or of the block it stands in. */
+static void skip_line(lexer_t *lx) {
+    int32_t open = 0;
+    while (lx->tok.kind != TOKEN_END && !session_is_line_end(lx) && (lx->tok.kind != '}' || open > 0)) {
+        open += (lx->tok.kind == '{') - (lx->tok.kind == '}');
+        lexer_next(lx);
+    }
+}
+
+/* At a { : what stands behind it is executed. */
+static int open_block(session_t *s, lexer_t *lx, session_block_t block) {
+    session_frame_t *f = session_top(s);
+    if (f->blocks == CONFIG_BLOCKS)
+        return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "blocks within blocks; most",
+                                     CONFIG_BLOCKS);
+    block.body = lx->pos;
+    f->block[f->blocks++] = block;
+    lexer_next(lx);
+    return 0;
+}
+
+static int condition(session_t *s, lexer_t *lx, bool *yes) {
+    if (lx->tok.kind != '(') return lexer_unexpected(lx, &s->error, "a condition in brackets expected");
+    num_t v;
+    int err = expr_number(&s->lang, lx, &v, &s->error);
+    *yes = !err && num_sign(v) != 0;
+    return err;
+}
+
+/* Behind a block, or the one command, that was executed: alternatives are passed over. */
+static void pass_else(lexer_t *lx) {
+    while (lexer_is_name(lx, "else")) {
+        lexer_next(lx);
+        if (lexer_is_name(lx, "if")) {
+            int32_t open = 0;
+            do {
+                lexer_next(lx);
+                open += (lx->tok.kind == '(') - (lx->tok.kind == ')');
+            } while (open > 0 && lx->tok.kind != TOKEN_END);
+            lexer_next(lx);
+        }
+        if (!lexer_accept(lx, '{')) {
+            skip_line(lx);
+            return;
+        }
+        skip_block(lx);
+    }
+}
+
+/* Behind what was not executed: what stands behind `else`, if it is there, is. */
+static int take_else(session_t *s, lexer_t *lx) {
+    if (!lexer_is_name(lx, "else")) return 0;
+    lexer_next(lx);
+    return lx->tok.kind == '{' ? open_block(s, lx, (session_block_t){.kind = BLOCK_IF}) : 0;
+}
+
+static int if_command(session_t *s, lexer_t *lx) {
+    bool yes;
+    int err = condition(s, lx, &yes);
+    if (err) return err;
+    if (lx->tok.kind == '{') {
+        if (yes) return open_block(s, lx, (session_block_t){.kind = BLOCK_IF});
+        lexer_next(lx);
+        skip_block(lx);
+        return take_else(s, lx);
+    }
+    if (yes) return 0; /* the rest of the line, up to `else` */
+    while (lx->tok.kind != TOKEN_END && lx->tok.kind != '}' && !session_is_line_end(lx)) {
+        session_skip(lx);
+        if (lx->tok.kind != ';' || session_is_line_end(lx)) break;
+        lexer_next(lx);
+        if (lexer_is_name(lx, "else")) return take_else(s, lx);
+    }
+    return 0;
+}
+
+int control_range(session_t *s, lexer_t *lx, control_range_t *r) {
+    int32_t v[3] = {0, 0, 1};
+    const lexer_t at = *lx;
+    if (!lexer_accept(lx, '[')) return lexer_unexpected(lx, &s->error, "[i=first:last] expected");
+    const lexer_t name = *lx;
+    if (lx->tok.kind == TOKEN_NAME) lexer_next(lx);
+    if (lexer_is_name(lx, "in")) return session_fail(s, lx, ERR_UNSUPPORTED, "words cannot be counted through here");
+    if (name.tok.kind != TOKEN_NAME || !lexer_accept(lx, '='))
+        return lexer_unexpected(lx, &s->error, "[i=first:last] expected");
+    for (int k = 0; k < 3; k++) {
+        int err = set_integer(s, lx, INT32_MIN, INT32_MAX, &v[k], "this number is out of range");
+        if (err) return err;
+        if (k > 0 && lx->tok.kind != ':') break;
+        if (k < 2 && !lexer_accept(lx, ':')) return lexer_unexpected(lx, &s->error, "':' expected");
+    }
+    if (!lexer_accept(lx, ']')) return lexer_unexpected(lx, &s->error, "']' expected");
+    if (v[2] == 0) return session_fail(s, &at, ERR_VALUE, "the step is 0");
+    r->symbol =
+        names_intern(&s->lang, SYMBOL_VARIABLE, lexer_text(&name), name.tok.len, lexer_column(&name), &s->error);
+    if (r->symbol < 0) return r->symbol;
+    r->was_defined = s->lang.symbol[r->symbol].defined;
+    r->before = s->lang.symbol[r->symbol].u.value;
+    r->now = v[0];
+    r->last = v[1];
+    r->step = v[2];
+    return 0;
+}
+
+bool control_within(const control_range_t *r) {
+    return r->step > 0 ? r->now <= r->last : r->now >= r->last;
+}
+
+void control_set(session_t *s, const control_range_t *r) {
+    s->lang.symbol[r->symbol].defined = true;
+    s->lang.symbol[r->symbol].u.value = value_int(r->now);
+}
+
+void control_restore(session_t *s, const control_range_t *r) {
+    s->lang.symbol[r->symbol].defined = r->was_defined;
+    s->lang.symbol[r->symbol].u.value = r->before;
+}
+
+static int one_turn_more(session_t *s, const lexer_t *lx) {
+    if (s->turns++ < CONFIG_TURNS) return 0;
+    return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "a loop goes round too often; most turns",
+                                 CONFIG_TURNS);
+}
+
+static int do_command(session_t *s, lexer_t *lx) {
+    if (!lexer_is_name(lx, "for")) return lexer_unexpected(lx, &s->error, "`for` expected");
+    lexer_next(lx);
+    session_block_t block = {.kind = BLOCK_FOR};
+    int err = control_range(s, lx, &block.range);
+    if (err) return err;
+    if (lx->tok.kind != '{') return lexer_unexpected(lx, &s->error, "'{' expected");
+    if (control_within(&block.range)) {
+        control_set(s, &block.range);
+        return open_block(s, lx, block);
+    }
+    lexer_next(lx);
+    skip_block(lx);
+    return 0;
+}
+
+static int while_command(session_t *s, lexer_t *lx) {
+    const session_block_t block = {.kind = BLOCK_WHILE, .again = lx->tok.start};
+    bool yes = false;
+    int err = condition(s, lx, &yes);
+    if (!err) err = one_turn_more(s, lx);
+    if (err) return err;
+    if (lx->tok.kind != '{') return lexer_unexpected(lx, &s->error, "'{' expected");
+    if (yes) return open_block(s, lx, block);
+    lexer_next(lx);
+    skip_block(lx);
+    return 0;
+}
+
+/* Behind the } of the innermost block: again, or on. */
+static int end_block(session_t *s, lexer_t *lx) {
+    session_frame_t *f = session_top(s);
+    session_block_t *b = &f->block[f->blocks - 1];
+    if (b->kind == BLOCK_FOR) {
+        int err = one_turn_more(s, lx);
+        if (err) return err;
+        b->range.now += b->range.step;
+        if (control_within(&b->range)) {
+            go_to(lx, b->body);
+            control_set(s, &b->range);
+            return 0;
+        }
+        control_restore(s, &b->range);
+    }
+    f->blocks--;
+    if (b->kind == BLOCK_IF) pass_else(lx);
+    if (b->kind != BLOCK_WHILE) return 0;
+    go_to(lx, b->again);
+    return while_command(s, lx);
+}
+
+static int leave(session_t *s, lexer_t *lx, const lexer_t *word, bool again) {
+    session_frame_t *f = session_top(s);
+    while (f->blocks > 0 && f->block[f->blocks - 1].kind == BLOCK_IF) f->blocks--;
+    if (f->blocks == 0) return session_fail(s, word, ERR_SYNTAX, "this stands in no loop");
+    go_to(lx, f->block[f->blocks - 1].body);
+    skip_block(lx);
+    if (again) return end_block(s, lx);
+    f->blocks--;
+    if (f->block[f->blocks].kind == BLOCK_FOR) control_restore(s, &f->block[f->blocks].range);
+    return 0;
+}
+
+int control_close(session_t *s, lexer_t *lx) {
+    if (session_top(s)->blocks == 0) return session_fail(s, lx, ERR_SYNTAX, "no block is open that } could close");
+    lexer_next(lx);
+    return end_block(s, lx);
+}
+
+int control_command(session_t *s, lexer_t *lx, const lexer_t *word) {
+    switch (lexer_text(word)[0]) {
+    case 'i':
+        return if_command(s, lx);
+    case 'e': /* behind commands that were executed */
+        *lx = *word;
+        pass_else(lx);
+        return 0;
+    case 'd':
+        return do_command(s, lx);
+    case 'w':
+        return while_command(s, lx);
+    default: /* break, continue */
+        return leave(s, lx, word, lexer_text(word)[0] == 'c');
+    }
+}
+
+bool control_is_open(session_frame_t *f) {
+    char quote = 0;
+    for (; f->counted < f->len; f->counted++) {
+        const char c = f->text[f->counted];
+        if (quote) {
+            if (c == '\\' && quote == '"') f->counted++;
+            if (c == quote) quote = 0;
+        } else if (c == '#') {
+            f->counted = f->len;
+            break;
+        } else if (c == '\'' || c == '"') {
+            quote = c;
+        } else {
+            f->braces += (c == '{') - (c == '}');
+        }
+    }
+    return f->braces > 0;
+}
+#endif

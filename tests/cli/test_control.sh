@@ -1,0 +1,104 @@
+#!/bin/sh
+# if, else, do and while, from outside: what gnuplot prints, and errors in the middle of blocks.
+. tests/cli/lib.sh
+
+ours() {
+    timeout 20 "$RIDGELINE" plot "$1" -o none.seg
+}
+
+blocks_do_what_gnuplot_does() {
+    cat >a.gp <<'END'
+a = 3
+if (a == 3) print "three"; else print "other"
+if (a == 4) print "four"; print "no"; else print "else"
+if (a > 5) {
+   print "big" # comment }
+} else {
+   print "middle"
+   if (a == 3) { print "in" } else { print "never" }
+}
+do for [i=1:3] {
+  do for [j=1:i] { print i, j }
+  if (i == 2) { continue }
+  print "end", i
+}
+while (a > 0) {
+  a = a - 1
+  if (a == 1) { break }
+  print a
+}
+do for [k = 5:1:-2] { if (k==3) { continue }; print "k", k }
+do for [k = 3:1] { print "never" }
+if (0) { print "x" } else { if (1) { print "deep" } }
+if (1) print 1; if (0) print 2; else print 3
+if (1) { print "one" ; print "two" }
+if (0.5) { print "real" }
+n = 0
+while (1) { n = n + 1; if (n > 5) { break } ; do for [m=1:9] { if (m > 2) { break } ; print n, m } }
+if (a == 1) {
+  f(x) = x > 0 ? x : -x
+  print f(-3); b = f(2) ** 3 ; print b
+}
+do for [i=1:2] { if (i == 1) { print "a" } else { print "b" }; print "c" }
+END
+    ours a.gp >ours.txt 2>&1
+    [ "$(wc -l <ours.txt)" = 37 ]
+    command -v gnuplot >/dev/null || return 0
+    gnuplot a.gp >theirs.txt 2>&1
+    diff theirs.txt ours.txt
+    echo "# $(wc -l <ours.txt) lines printed from blocks equal gnuplot's"
+}
+
+alternatives_may_follow_each_other() { # gnuplot 5.4 wants `else { if`
+    printf 'do for [a=1:4] {\n  if (a == 1) {\n    print "one"\n  } else if (a == 2) {\n    print "two"\n  } else if (a == 3) { print "three" } else {\n    print "many"\n  }\n}\n' >a.gp
+    [ "$(ours a.gp | tr '\n' ' ')" = 'one two three many ' ]
+    # a condition without braces reaches to the end of its physical line
+    printf 'do for [a=1:2] {\n  if (a == 1) print "first"; else print "other"\n  if (a == 2) print "x"; print "y"\n  print "end"\n}\n' >a.gp
+    [ "$(ours a.gp | tr '\n' ' ')" = 'first end other x y end ' ]
+}
+
+every_plot_in_a_loop_is_a_page() {
+    printf 'do for [i=1:3] {\n  set view 60,20*i\n  splot sin(i*x)*cos(y)\n}\ndo for [i=1:2] {\nsplot "-" using (i*$1)\n1\n2\n\n3\n4\ne\n}\n' >a.gp
+    expect_status 2 ours a.gp 2>err # rows do not belong into a block
+    printf 'do for [i=1:3] {\n  set view 60,20*i\n  splot sin(i*x)*cos(y)\n}\n' >b.gp
+    timeout 20 "$RIDGELINE" plot b.gp -o b.seg
+    [ -e b.seg ] && [ -e b-3.seg ] && [ ! -e b-4.seg ]
+    for i in 1 2 3; do
+        echo "set view 60,20*$i; splot sin($i*x)*cos(y)" | timeout 20 "$RIDGELINE" plot - -o c.seg
+        if [ $i = 1 ]; then cmp b.seg c.seg; else cmp b-$i.seg c.seg; fi
+    done
+}
+
+errors_name_the_line_of_the_block() {
+    printf 'a = 1\ndo for [i=1:2] {\n  print i # fine\n  print 1 +\n}\n' >a.gp
+    expect_status 2 ours a.gp 2>err
+    expect_text err '"a.gp", line 4, column 12: invalid expression'
+    expect_text err '  print 1 +'
+    printf 'if (1) {\n  print 2\n' >a.gp
+    expect_status 2 ours a.gp 2>err
+    expect_text err 'a { is not closed'
+    printf 'load "a.gp"\n' >b.gp
+    expect_status 2 ours b.gp 2>err
+    expect_text err 'a { is not closed'
+    while IFS='@' read -r wrong reason; do
+        echo "$wrong" >a.gp
+        expect_status 2 ours a.gp 2>err
+        expect_text err "$reason"
+    done <<'END'
+break@this stands in no loop
+if (1) { break }@this stands in no loop
+}@no block is open
+if 3 {}@a condition in brackets
+do {}@`for` expected
+do for [i=1:2:0] {}@the step is 0
+do for [3:2] {}@[i=first:last] expected
+do for [i=1] {}@expected
+while (1) print 1@'{' expected
+while (1) {}@goes round too often
+if (nobody) {}@undefined variable: nobody
+do for [i=1:2] print i@'{' expected
+if (1) { if (1) { if (1) { if (1) { if (1) { if (1) { if (1) { if (1) { if (1) { print 1 } } } } } } } } }@blocks within blocks
+END
+}
+
+run_tests blocks_do_what_gnuplot_does alternatives_may_follow_each_other every_plot_in_a_loop_is_a_page errors_name_the_line_of_the_block
