@@ -26,8 +26,8 @@ CONFIG_nrf51 := HAL_STORE_BYTES=2048u CONFIG_AREA=0 CONFIG_LINE_MAX=128 CONFIG_L
 # A Cortex-M0 does not divide.
 CONFIG_rp2040 += CONFIG_DIVIDES=0
 CONFIG_nrf51 += CONFIG_DIVIDES=0
-# Servo and solenoid are the Pico's.
-CONFIG_lm3s6965 += CONFIG_PEN_PWM=0
-CONFIG_nrf51 += CONFIG_PEN_PWM=0 CONFIG_FED=0
+# A servo is the Pico's.
+CONFIG_lm3s6965 += CONFIG_PEN_SERVO=0
+CONFIG_nrf51 += CONFIG_PEN_SERVO=0 CONFIG_FED=0
 # UNSET=CONFIG_STEP_RATE (with a BUILDDIR of its own): what the boards refuse otherwise (make bench-rates).
 UNSET ?=

@@ -29,14 +29,14 @@ void hal_pins_write(uint32_t mask, uint32_t value);
 enum hal_pen_kind {
     HAL_PEN_LEVEL,    /* the pin is active while the pen is down */
     HAL_PEN_SERVO,    /* 50 pulses a second, whose width is the servo's place, also while the motors are off */
-    HAL_PEN_SOLENOID, /* power to pull, then a part of it to hold, by pulses of 25 kHz */
+    HAL_PEN_SOLENOID, /* power to pull, then a part of it to hold, by pulses of 25 kHz (without PWM 1 kHz) */
 };
 
 /* How a machine is wired, where that differs from the board's own way. */
 typedef struct hal_wiring {
     uint8_t invert_pins;     /* enum hal_pin: these are turned round */
     uint8_t invert_inputs;   /* enum hal_input */
-    uint8_t pen;             /* enum hal_pen_kind; a board without PWM has a level only (CONFIG_PEN_PWM) */
+    uint8_t pen;             /* enum hal_pen_kind; a board without PWM has no servo (CONFIG_PEN_SERVO) */
     uint8_t hold_percent;    /* solenoid: 1 .. 100 */
     uint16_t up_us, down_us; /* servo: width of the pulses, below 20,000 */
     uint16_t glide_ms;       /* servo: the width changes evenly in so long; 0: at once */

@@ -204,9 +204,9 @@ _Static_assert(CONFIG_PARTS >= 64 && CONFIG_PARTS <= 4096, "lang/parts.h, lang/h
 #define CONFIG_ORDER_US 1000
 #endif
 
-/* The pen's pin can be a servo's or a solenoid's (hal.h). */
-#ifndef CONFIG_PEN_PWM
-#define CONFIG_PEN_PWM 1
+/* The pen's pin can be a servo's (hal.h). */
+#ifndef CONFIG_PEN_SERVO
+#define CONFIG_PEN_SERVO 1
 #endif
 
 /* Width of a step pulse and how long DIR stands before it, by default (ns). What the drivers need, and not less than

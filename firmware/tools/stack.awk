@@ -106,8 +106,8 @@ END {
     }
     for (g in at) if (name[g] == "start_reset") first = g
     d = depth(first, 1, "")
-    d += most(0, "^(player_isr|port_timer_isr|player_dma_isr|port_switches_isr)$") + most(1, "^(port_plan_isr|ahead_plan_isr|port_wake_isr)$")
-    d += most(2, "^(port_uart_isr|console_uart_isr)$") + most(3, "^(port_pen_isr|port_systick_isr)$")
+    d += most(0, "^(player_isr|port_timer_isr|player_dma_isr|port_switches_isr)$") + most(1, "^(port_plan_isr|ahead_plan_isr)$")
+    d += most(2, "^(port_uart_isr|console_uart_isr)$") + most(3, "^(port_pen_isr|port_wake_isr|port_systick_isr)$")
     for (g in circle) around = around " " g
     if (around) print "calls itself:" around > "/dev/stderr"
     for (g in untold) unknown = unknown " " g "()"

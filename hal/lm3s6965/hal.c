@@ -9,9 +9,10 @@
 #include "hal/lm3s6965/regs.h"
 #include "hal/port/ahead.h"
 #include "hal/port/console.h"
+#include "hal/port/solenoid.h"
 #include "hal/port/switches.h"
 
-port_state_t port = {.invert = PORT_INVERT};
+port_state_t port = {.invert = PORT_INVERT, .level = PORT_INVERT};
 
 /* At each wrap, every 0.34 s, so none is missed. */
 void port_systick_isr(void) {
@@ -49,9 +50,23 @@ void hal_watchdog_feed(void) {
     WDT_LOCK = 0;
 }
 
+static void pen_in(uint32_t us) {
+    TIMER1_TAILR = us * 50;
+    TIMER1_CTL = 1;
+}
+
+void port_pen_isr(void) {
+    TIMER1_ICR = 1;
+    pen_in(solenoid_turn());
+}
+
 void port_wire(const hal_wiring_t *wiring) {
-    (void)wiring; /* no PWM */
+    /* The pen's is pulled to rest, where it is not driven. */
+    GPIO_PUR(GPIOB) = port.invert & HAL_PEN;
+    GPIO_PDR(GPIOB) = HAL_PEN & ~port.invert;
     GPIO_DEN(GPIOB) = PORT_ALL_PINS;
+    TIMER1_CTL = 0;
+    if (solenoid_wire(wiring)) pen_in(1);
 }
 
 const char *hal_board_name(void) {
@@ -75,7 +90,7 @@ void hal_start(void) {
     GPIO_DATA(GPIOB, PORT_ALL_PINS) = port.invert;
     clocks_start();
     SYSCTL_RCGC0 |= 1u << 3;
-    SYSCTL_RCGC1 |= 1u << 16 | 1u << 0;
+    SYSCTL_RCGC1 |= 1u << 17 | 1u << 16 | 1u << 0;
     (void)SYSCTL_RCGC1;
 
     SYST_CSR = 4; /* the processor's clock */
@@ -86,6 +101,8 @@ void hal_start(void) {
     TIMER0_CFG = 0;
     TIMER0_TAMR = 1;
     TIMER0_IMR = 1;
+    TIMER1_TAMR = 1;
+    TIMER1_IMR = 1;
 
     GPIO_AFSEL(GPIOA) = 3;
     GPIO_DEN(GPIOA) = 3;
@@ -104,9 +121,11 @@ void hal_start(void) {
     GPIO_IM(GPIOE) = 0x0f;
     switches_start();
 
-    pendsv_priority(1);
+    irq_priority(PORT_IRQ_PEN, 1);
+    pendsv_priority(2);
+    irq_priority(PORT_IRQ_UART, 3);
     systick_priority(3);
-    irq_priority(PORT_IRQ_UART, 2);
+    irq_enable(PORT_IRQ_PEN);
     irq_enable(PORT_IRQ_TIMER);
     irq_enable(PORT_IRQ_UART);
     irq_enable(PORT_IRQ_SWITCHES);

@@ -15,12 +15,18 @@
 #define PORT_INVERT 0u /* high is active: a chip in reset drives nothing, and pull-downs leave motors off, pen up */
 #define PORT_STORE_END 0x40000u /* of flash */
 
-enum { PORT_IRQ_SWITCHES = 4 /* GPIO port E */, PORT_IRQ_UART = 5, PORT_IRQ_TIMER = 19 /* GPTM 0A */ };
+enum {
+    PORT_IRQ_SWITCHES = 4 /* GPIO port E */,
+    PORT_IRQ_UART = 5,
+    PORT_IRQ_TIMER = 19 /* GPTM 0A */,
+    PORT_IRQ_PEN = 21 /* GPTM 1A */
+};
 
 void port_systick_isr(void);
 void port_switches_isr(void);
 void port_uart_isr(void);
 void port_timer_isr(void);
+void port_pen_isr(void);
 void port_wire(const hal_wiring_t *wiring);
 static inline void port_pen_up(void) {}
 
@@ -28,8 +34,29 @@ typedef struct port_state {
     uint32_t ticks, part; /* clock at systick, and 1/25 ticks */
     uint32_t systick;
     uint32_t invert; /* pins that are active low */
+    uint32_t level;  /* of all pins, as written: the chip forgets that of one that is not driven */
 } port_state_t;
 extern port_state_t port;
+
+#define PORT_SOFT_PEN /* solenoid.h, by GPTM 1 */
+
+static inline bool port_pen_is_down(void) {
+    return (port.level ^ port.invert) & HAL_PEN;
+}
+
+/* What was written while it was not driven comes first: until then the pad is off. */
+static inline void port_pen_drive(bool on) {
+    const uint32_t others = PORT_ALL_PINS & ~(uint32_t)HAL_PEN, state = irq_lock();
+    if (!on) {
+        GPIO_DIR(GPIOB) = others;
+    } else if (!(GPIO_DIR(GPIOB) & HAL_PEN)) {
+        GPIO_DEN(GPIOB) = others;
+        GPIO_DIR(GPIOB) = PORT_ALL_PINS;
+        GPIO_DATA(GPIOB, HAL_PEN) = port.level;
+        GPIO_DEN(GPIOB) = PORT_ALL_PINS;
+    }
+    irq_unlock(state);
+}
 
 static inline uint32_t port_now(void) {
     uint32_t at = SYST_CVR;
@@ -63,16 +90,16 @@ static inline void port_alarm(uint32_t at) {
 }
 
 typedef struct port_word {
-    volatile uint32_t *at;
-    uint32_t value;
+    uint32_t mask, value;
 } port_word_t;
 
 static inline port_word_t port_word(uint32_t mask, uint32_t value) {
-    return (port_word_t){&GPIO_DATA(GPIOB, mask), value ^ port.invert};
+    return (port_word_t){mask, (value ^ port.invert) & mask};
 }
 
 static inline void port_write(port_word_t word) {
-    *word.at = word.value;
+    GPIO_DATA(GPIOB, word.mask) = word.value;
+    port.level = (port.level & ~word.mask) | word.value;
 }
 
 static inline uint32_t port_level(uint32_t pins) {
@@ -81,10 +108,11 @@ static inline uint32_t port_level(uint32_t pins) {
 
 static inline void port_put(uint32_t level) {
     GPIO_DATA(GPIOB, PORT_ALL_PINS) = level;
+    port.level = level;
 }
 
 static inline uint32_t port_pins(void) {
-    return GPIO_DATA(GPIOB, PORT_ALL_PINS);
+    return port.level;
 }
 
 static inline uint32_t port_inputs(void) {

@@ -21,6 +21,7 @@
 #define GPIO_ICR(port) REG((port) + 0x41cu)
 #define GPIO_AFSEL(port) REG((port) + 0x420u)
 #define GPIO_PUR(port) REG((port) + 0x510u)
+#define GPIO_PDR(port) REG((port) + 0x514u)
 #define GPIO_DEN(port) REG((port) + 0x51cu)
 
 #define UART0 0x4000c000u
@@ -31,6 +32,12 @@
 #define TIMER0_IMR REG(0x40030018u)
 #define TIMER0_ICR REG(0x40030024u)
 #define TIMER0_TAILR REG(0x40030028u)
+
+#define TIMER1_TAMR REG(0x40031004u)
+#define TIMER1_CTL REG(0x4003100cu)
+#define TIMER1_IMR REG(0x40031018u)
+#define TIMER1_ICR REG(0x40031024u)
+#define TIMER1_TAILR REG(0x40031028u)
 
 #define WDT_LOAD REG(0x40000000u)
 #define WDT_CTL REG(0x40000008u)

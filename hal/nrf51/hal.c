@@ -5,6 +5,7 @@
 
 #include "hal/port/ahead.h"
 #include "hal/port/console.h"
+#include "hal/port/solenoid.h"
 #include "hal/port/switches.h"
 #include "port.h"
 
@@ -45,9 +46,28 @@ void port_uart_isr(void) {
     console_uart_isr();
 }
 
+#define WAKE (1u << 16) /* of TIMER1's interrupts: compare 0 */
+#define PEN (1u << 18)
+
+/* Not before now: the counter would have to come round. */
+static void pen_in(uint32_t us) {
+    const uint32_t state = irq_lock();
+    uint32_t at = TIMER1_CC2 + us;
+    TIMER1_CAPTURE3 = 1;
+    if ((int16_t)(at - TIMER1_CC3) < 4) at = TIMER1_CC3 + 4;
+    TIMER1_CC2 = at & 0xffff;
+    irq_unlock(state);
+}
+
 void port_wake_isr(void) {
-    TIMER1_COMPARE0 = 0;
-    pendsv_pend();
+    if (TIMER1_COMPARE0) {
+        TIMER1_COMPARE0 = 0;
+        pendsv_pend();
+    }
+    if (TIMER1_COMPARE2 && TIMER1_INTENSET & PEN) {
+        TIMER1_COMPARE2 = 0;
+        pen_in(solenoid_turn());
+    }
 }
 
 /* Interrupts off only when there is something to be done: the player's may be due. */
@@ -82,9 +102,13 @@ void hal_watchdog_feed(void) {
 }
 
 void port_wire(const hal_wiring_t *wiring) {
-    (void)wiring; /* no PWM */
     player_turn(port.invert);
+    GPIO_PIN_CNF(PIN_PEN) = 1 | (port.invert & HAL_PEN ? 3u : 1u) << 2; /* pulled to rest, where it is not driven */
     GPIO_DIRSET = port_spread[PORT_ALL_PINS];
+    TIMER1_INTENCLR = PEN;
+    if (!solenoid_wire(wiring)) return;
+    pen_in(0);
+    TIMER1_INTENSET = PEN;
 }
 
 const char *hal_board_name(void) {
@@ -103,7 +127,7 @@ void hal_start(void) {
     TIMER0_START = 1;
     TIMER1_BITMODE = 0;
     TIMER1_PRESCALER = 4;
-    TIMER1_INTENSET = 1u << 16;
+    TIMER1_INTENSET = WAKE;
     TIMER1_START = 1;
 
     GPIO_OUTSET = 1u << PIN_TX;
@@ -117,9 +141,9 @@ void hal_start(void) {
     UART_STARTRX = 1;
 
     switches_start();
-    pendsv_priority(1);
     irq_priority(PORT_IRQ_WAKE, 1);
-    irq_priority(PORT_IRQ_UART, 2);
+    pendsv_priority(2);
+    irq_priority(PORT_IRQ_UART, 3);
     irq_enable(PORT_IRQ_TIMER);
     irq_enable(PORT_IRQ_WAKE);
     irq_enable(PORT_IRQ_UART);

@@ -39,6 +39,19 @@ typedef struct port_state {
 } port_state_t;
 extern port_state_t port;
 
+#define PORT_SOFT_PEN /* solenoid.h, by TIMER1's third compare */
+
+static inline bool port_pen_is_down(void) {
+    return !(GPIO_OUT & 1u << PIN_PEN) == !!(port.invert & HAL_PEN);
+}
+
+static inline void port_pen_drive(bool on) {
+    if (on)
+        GPIO_DIRSET = 1u << PIN_PEN;
+    else
+        GPIO_DIRCLR = 1u << PIN_PEN;
+}
+
 static inline uint32_t port_count(void) {
     TIMER0_CAPTURE1 = 1;
     return TIMER0_CC1;

@@ -60,7 +60,7 @@ static bool has_number(const lexer_t *lx) {
     return !session_at_end(lx) && lx->tok.kind != TOKEN_NAME;
 }
 
-#if CONFIG_PEN_PWM
+#if CONFIG_PEN_SERVO
 static int servo(session_t *s, lexer_t *lx, hal_wiring_t *w) {
     static const char range[] = "servo pulses must be between 500 and 2500 us";
     if (!has_number(lx)) return 0;
@@ -76,6 +76,7 @@ static int servo(session_t *s, lexer_t *lx, hal_wiring_t *w) {
     w->glide_ms = (uint16_t)glide;
     return err;
 }
+#endif
 
 static int solenoid(session_t *s, lexer_t *lx, hal_wiring_t *w) {
     if (!has_number(lx)) return 0;
@@ -87,7 +88,6 @@ static int solenoid(session_t *s, lexer_t *lx, hal_wiring_t *w) {
     w->hold_percent = (uint8_t)hold;
     return err;
 }
-#endif
 
 int set_machine_pen(session_t *s, lexer_t *lx, machine_t *m) {
     lexer_t at = *lx;
@@ -96,10 +96,11 @@ int set_machine_pen(session_t *s, lexer_t *lx, machine_t *m) {
         return lexer_unexpected(&at, &s->error, "level, servo or solenoid expected");
     m->wiring.pen = (uint8_t)kind;
     if (kind == HAL_PEN_LEVEL) return 0;
-#if CONFIG_PEN_PWM
-    return kind == HAL_PEN_SERVO ? servo(s, lx, &m->wiring) : solenoid(s, lx, &m->wiring);
+    if (kind == HAL_PEN_SOLENOID) return solenoid(s, lx, &m->wiring);
+#if CONFIG_PEN_SERVO
+    return servo(s, lx, &m->wiring);
 #else
-    return session_fail(s, &at, ERR_MACHINE, "this board has no PWM: it can only do pen level");
+    return session_fail(s, &at, ERR_MACHINE, "this board has no PWM for a servo");
 #endif
 }
 

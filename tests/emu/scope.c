@@ -152,7 +152,7 @@ static void play(void *unused) {
 static void edge(void *opaque, int n, int level) {
     wire_t *w = opaque;
     int pin = (int)(w - g.pin);
-    bool active = (level != 0) != w->low;
+    bool active = level >= 0 && (level != 0) != w->low; /* not driven: the resistor's, at rest */
     if (active != (bool)(g.level >> pin & 1)) {
         g.level ^= (uint8_t)(1 << pin);
         write_change(pin, active);

@@ -11,12 +11,14 @@ else
 fi
 says 'ALARM: a limit switch closed'
 turned=
-[ $board = rp2040 ] || return 0
 # What is at the pen's pin follows its bit within 1 ms; pen.mjs judges it.
+pen='solenoid 0.03 40'
+[ $board = rp2040 ] || pen="$pen 1000 20" # by the program: 1 kHz
+scene solenoid $within
+pen=
+[ $board = rp2040 ] || return 0
 pen='servo 1000 1600 0'
 scene servo $within
 pen='servo 1900 1200 0.1'
 scene servo_glide $within
-pen='solenoid 0.03 40'
-scene solenoid $within
 pen=
