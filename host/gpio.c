@@ -78,6 +78,19 @@ static int run_program(const char *path, char **args, FILE *input) {
     return status;
 }
 
+/* What was asked of the machine and these lines cannot do, or NULL. Switching off is always possible. */
+static const char *unfit(const char *what, const machine_t *m) {
+    if (strcmp(what, "off") == 0) return NULL;
+    if (m->wiring.pen == HAL_PEN_SERVO)
+        return "pen servo: this board's lines make no servo pulses; set machine pen level";
+    if (m->wiring.pen == HAL_PEN_SOLENOID)
+        return "pen solenoid: this board's lines hold it with all of the power; set machine pen level";
+    if (m->wiring.invert_pins || m->wiring.invert_inputs)
+        return "invert: levels are turned round by active_low and active_high in the pin file";
+    if (m->home_far && strcmp(what, "home") == 0) return "home right, top: here the switches are at the low end";
+    return NULL;
+}
+
 /* what: the word for ridgeline-gpio; extra: more of its arguments, ending with NULL. */
 static int run(const gpio_t *gpio, const char *what, const char *const *extra, const machine_t *machine,
                const drawing_t *d) {
@@ -86,6 +99,11 @@ static int run(const gpio_t *gpio, const char *what, const char *const *extra, c
     int n = 4;
     if (gpio->dry_run) args[n++] = "--dry-run";
     while (extra && *extra && n < ARGS_MAX - 1) args[n++] = *extra++;
+    const char *wrong = unfit(what, machine);
+    if (wrong) {
+        fprintf(stderr, "ridgeline: set machine %s; nothing was moved\n", wrong);
+        return SCRIPT_BAD_INPUT;
+    }
     if (!find_program(path, sizeof path)) return SCRIPT_TROUBLE;
     FILE *relay = tmpfile();
     if (!relay || relay_write(relay, machine, d) != 0 || fseek(relay, 0, SEEK_SET) != 0) {

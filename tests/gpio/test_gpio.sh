@@ -148,6 +148,21 @@ dry_run_touches_nothing() {
     return 0
 }
 
+what_lines_cannot_do_is_refused() {
+    chips
+    echo 'set machine pen servo; splot x*y' >scene.gp
+    expect_status 2 draw
+    says 'set machine pen servo: this board' 'nothing was moved'
+    expect_status 2 run pen down --pins pins.cfg --set 'set machine pen solenoid'
+    says 'hold it with all of the power'
+    expect_status 2 run jog 1 1 --pins pins.cfg --set 'set machine invert enable'
+    says 'active_low and active_high in the pin file'
+    expect_status 2 run home --pins pins.cfg --set 'set machine home left,top'
+    emu_tool log | grep -q request && return 1
+    expect_status 0 run off --pins pins.cfg --set 'set machine pen servo'
+    is_safe
+}
+
 # The latest deadline and the slowest write (us), and how far the time base moved (ms), as reported.
 reported() {
     sed -n 's/.*the latest by \([0-9.]*\) us.*moved by \([0-9.]*\) ms in all; slowest write \([0-9.]*\) us.*/\1 \2 \3/p' err |
@@ -353,7 +368,7 @@ without_real_time_a_warning() {
     says 'no real-time scheduling' 'steps will come late'
 }
 
-tests='tools_accept_the_emulation pin_files_are_checked a_line_in_use_is_named dry_run_touches_nothing lines_are_taken_safely
+tests='tools_accept_the_emulation pin_files_are_checked a_line_in_use_is_named dry_run_touches_nothing what_lines_cannot_do_is_refused lines_are_taken_safely
     recording_is_the_simulators_trace a_stall_shifts_the_time_base twice_twenty_thousand_steps_a_second
     write_errors_stop_and_are_reported position_is_that_of_the_pins a_busy_line_at_the_last_moment
     switches_stop_within_one_step signals_stop_safely a_signal_from_outside killed_outright guardian_killed
