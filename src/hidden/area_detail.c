@@ -106,8 +106,7 @@ static int add_detail(const area_lattice_t *l, int32_t line, const poly_t *p, in
     return 0;
 }
 
-/* The first detail of a face, or of a later one. */
-static int32_t first_detail(const solid_t *s, int32_t face) {
+int32_t area_detail_first(const solid_t *s, int32_t face) {
     int32_t lo = s->ne, hi = s->ne + s->nd;
     while (lo < hi) {
         const int32_t middle = lo + (hi - lo) / 2;
@@ -122,7 +121,7 @@ static int32_t first_detail(const solid_t *s, int32_t face) {
 int area_details(const area_lattice_t *l, int32_t face, const poly_t *p, intervals_t *to) {
     const solid_t *s = l->m->solid;
     int err = 0;
-    for (int32_t k = first_detail(s, face); k < s->ne + s->nd && s->edge[k].face[0] == face && !err; k++)
+    for (int32_t k = area_detail_first(s, face); k < s->ne + s->nd && s->edge[k].face[0] == face && !err; k++)
         err = add_detail(l, k, p, to);
     return err;
 }

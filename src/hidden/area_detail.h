@@ -13,4 +13,7 @@
  * ERR_FULL. Cost: details times vertices. */
 int area_details(const area_lattice_t *l, int32_t face, const poly_t *p, intervals_t *to);
 
+/* The first detail of a face, an edge of the scene, or of a later one. */
+int32_t area_detail_first(const solid_t *s, int32_t face);
+
 #endif

@@ -108,17 +108,9 @@ static int32_t clip(const area_lattice_t *l, int border, const area_corner_t *fr
     return left;
 }
 
-int32_t area_face_place(const area_lattice_t *l, const solid_face_t *f, const int32_t *corner_edge, poly_vertex_t *v,
-                        area_corner_t *scratch, int32_t most) {
-    const solid_t *s = l->m->solid;
-    bool clips = false;
-    int32_t n = f->n;
-    for (int32_t k = 0; k < n; k++) {
-        int32_t vertex = s->corner[f->corner + k];
-        clips |= l->clips && !area_is_inside(l, vertex);
-        scratch[k] =
-            (area_corner_t){.at = area_place(l, vertex), .tag = corner_edge ? corner_edge[f->corner + k] : POLY_CUT};
-    }
+/* The first n corners of scratch, clipped, are put on the page. */
+static int32_t place(const area_lattice_t *l, bool clips, int32_t n, poly_vertex_t *v, area_corner_t *scratch,
+                     int32_t most) {
     area_corner_t *from = scratch, *to = scratch + most;
     for (int b = 0; b < AREA_BORDERS && clips; b++) {
         n = clip(l, b, from, n, to, most);
@@ -133,6 +125,32 @@ int32_t area_face_place(const area_lattice_t *l, const solid_face_t *f, const in
         v[k] = (poly_vertex_t){area_round(l, &scratch[k].fine), scratch[k].tag};
     }
     return n;
+}
+
+int32_t area_face_place(const area_lattice_t *l, const solid_face_t *f, const int32_t *corner_edge, poly_vertex_t *v,
+                        area_corner_t *scratch, int32_t most) {
+    const solid_t *s = l->m->solid;
+    bool clips = false;
+    for (int32_t k = 0; k < f->n; k++) {
+        int32_t vertex = s->corner[f->corner + k];
+        clips |= l->clips && !area_is_inside(l, vertex);
+        scratch[k] =
+            (area_corner_t){.at = area_place(l, vertex), .tag = corner_edge ? corner_edge[f->corner + k] : POLY_CUT};
+    }
+    return place(l, clips, f->n, v, scratch, most);
+}
+
+int32_t area_contour_place(const area_lattice_t *l, int32_t edge, int32_t n, poly_vertex_t *v, area_corner_t *scratch,
+                           int32_t most) {
+    const solid_t *s = l->m->solid;
+    bool clips = false;
+    for (int32_t k = 0; k < n; k++) {
+        const solid_edge_t *e = &s->edge[edge + k];
+        const int32_t vertex = e->v[solid_tone(e).turned];
+        clips |= l->clips && !area_is_inside(l, vertex);
+        scratch[k] = (area_corner_t){.at = area_place(l, vertex), .tag = POLY_CUT};
+    }
+    return place(l, clips, n, v, scratch, most);
 }
 
 /* Each hole is joined to the first corner, which comes again (obj_reader.c); it is the last one of a face that was

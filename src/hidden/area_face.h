@@ -59,6 +59,10 @@ typedef struct area_corner {
 int32_t area_face_place(const area_lattice_t *l, const solid_face_t *f, const int32_t *corner_edge, poly_vertex_t *v,
                         area_corner_t *scratch, int32_t most);
 
+/* The same of n edges of a detail's contour, from `edge` on (solid_tone). */
+int32_t area_contour_place(const area_lattice_t *l, int32_t edge, int32_t n, poly_vertex_t *v, area_corner_t *scratch,
+                           int32_t most);
+
 /* How much the depth of a face may be off where it is z: SOLID_FLAT units of the scene across its plane. */
 int64_t area_slack(const area_lattice_t *l, const area_face_t *f, int64_t z);
 /* How many faces may take part: not those of closed objects that are seen from behind. */

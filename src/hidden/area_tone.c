@@ -1,5 +1,6 @@
 /* area_tone.c - see area_tone.h. */
 #include "hidden/area_tone.h"
+#include "hidden/area_patch.h"
 
 #include "error.h"
 #include "num/ints.h"
@@ -7,9 +8,11 @@
 
 #if CONFIG_AREA
 
-/* Of the toner's memory, in sixteenths: lit polygons; those of one face; parts before and after a light; the clipper.
+/* Where there are patches, a part of the toner's memory is theirs. The rest, in sixteenths: lit polygons; those of one
+ * face; parts before and after a light; the clipper.
  */
 #define LEAST_BYTES 1024
+#define PATCH_PART 4
 enum { LIT_SHARE = 6, FACE_SHARE = 2, PARTS_SHARE = 2, SHARES = 16 };
 
 #define PARTS_MOST (1 << LIGHTS_MAX)
@@ -30,7 +33,9 @@ typedef struct part {
 struct area_toner {
     area_tone_t tone;
     const solid_map_t *m;
-    int bits;
+    area_lattice_t lattice;
+    bool patched;
+    area_patches_t patches;
     int64_t full_q30; /* what a face gets that is turned squarely to all lights */
     lit_t lit;
     store_t face, parts[2];
@@ -54,7 +59,7 @@ static uint8_t *lay_out_store(store_t *s, uint8_t *at, size_t bytes) {
 }
 
 size_t area_toner_bytes(const solid_map_t *m) {
-    (void)m;
+    if (area_patch_any(m->solid)) return SIZE_MAX;
     return eights(sizeof(area_toner_t)) + LEAST_BYTES;
 }
 
@@ -89,13 +94,23 @@ int area_toner_make(area_toner_t **toner, const area_tone_t *tone, const solid_m
     *toner = t;
     t->tone = *tone;
     t->m = m;
-    t->bits = area_lattice(m).bits;
+    t->lattice = area_lattice(m);
     t->full_q30 = full_light(t);
-    if (tone->hatch) tone->hatch->bits = t->bits;
-    if (tone->borders) tone->borders->bits = t->bits;
-    if (!tone->shadow) return 0;
+    t->patched = tone->hatch && area_patch_any(m->solid);
+    if (tone->hatch) tone->hatch->bits = t->lattice.bits;
+    if (tone->borders) tone->borders->bits = t->lattice.bits;
     uint8_t *at = (uint8_t *)mem + own;
-    size_t fixed = lit_bytes(m, tone->lights), left = bytes - own;
+    size_t left = bytes - own;
+    if (t->patched) {
+        const size_t part = left / PATCH_PART & ~(size_t)7;
+        area_patches_init(&t->patches, &t->lattice, at, part);
+        at += part;
+        left -= part;
+    }
+    t->clip_mem = at;
+    t->clip_bytes = left;
+    if (!tone->shadow) return 0;
+    const size_t fixed = lit_bytes(m, tone->lights);
     if (left < fixed + LEAST_BYTES) return ERR_FULL;
     const size_t share = (left - fixed) / SHARES & ~(size_t)7;
     const size_t lit = fixed + share * LIT_SHARE;
@@ -171,33 +186,49 @@ static int begin(area_toner_t *t, const poly_t *p) {
     return 0;
 }
 
-static int hatch(const area_toner_t *t, const poly_t *p, int64_t bright_q30, int32_t first_line, intervals_t *to) {
+/* A visible polygon on its way to tones. */
+typedef struct toning {
+    area_toner_t *t;
+    int32_t face, first_line;
+    int64_t slope[LIGHTS_MAX], all; /* what each light gives, if it reaches the face; and their sum */
+    intervals_t *to;
+} toning_t;
+
+static int hatch(const toning_t *w, const poly_t *p, int64_t bright_q30, int32_t percent) {
+    const area_toner_t *t = w->t;
     if (!t->tone.hatch) return 0;
-    int64_t share_q30 = ints_muldiv_round(bright_q30, INK_ONE, t->full_q30);
-    return hatch_polygon(t->tone.hatch, p, hatch_tone_of(share_q30), first_line, to);
+    int64_t share_q30 = ints_muldiv_round(bright_q30, INK_ONE, t->full_q30) * percent / 100;
+    return hatch_polygon(t->tone.hatch, p, hatch_tone_of(share_q30), w->first_line, w->to);
+}
+
+static int tone_part(void *ctx, const poly_t *p, int32_t percent) {
+    const toning_t *w = ctx;
+    area_toner_t *t = w->t;
+    if (!t->tone.shadow || w->all == 0) return hatch(w, p, w->all, percent);
+    int err = begin(t, p);
+    for (int32_t l = 0; l < t->tone.lights && !err; l++) {
+        if (w->slope[l] == 0) continue;
+        clip_out_t lit = {.v = t->face.v, .end = t->face.end, .n_max = t->face.most, .contours_max = t->face.most};
+        err = lit_polygons(&t->lit, l, w->face, &lit);
+        const poly_t reached = {lit.v, lit.end, lit.contours};
+        if (!err && reached.contours) err = part_by(t, &reached, w->slope[l]);
+    }
+    for (int32_t k = 0; k < t->n && !err; k++) err = hatch(w, &t->part[0][k].p, t->part[0][k].bright_q30, percent);
+    return err;
 }
 
 int area_toner_polygon(area_toner_t *t, int32_t face, const poly_t *p, int32_t first_line, intervals_t *to) {
-    int64_t slope[LIGHTS_MAX], all = 0;
+    toning_t w = {.t = t, .face = face, .first_line = first_line, .to = to};
     if (solid_is_clear(t->m->solid, face))
         return t->tone.hatch ? hatch_polygon(t->tone.hatch, p, HATCH_CLEAR, first_line, to) : 0;
     for (int32_t l = 0; l < t->tone.lights; l++) {
-        slope[l] = light_slope(&t->tone.light[l], t->m, face);
-        if (slope[l] <= LIGHT_GRAZING_Q30) slope[l] = 0;
-        all += slope[l];
+        w.slope[l] = light_slope(&t->tone.light[l], t->m, face);
+        if (w.slope[l] <= LIGHT_GRAZING_Q30) w.slope[l] = 0;
+        w.all += w.slope[l];
     }
-    if (!t->tone.shadow || all == 0) return hatch(t, p, all, first_line, to);
-    int err = begin(t, p);
-    for (int32_t l = 0; l < t->tone.lights && !err; l++) {
-        if (slope[l] == 0) continue;
-        clip_out_t lit = {.v = t->face.v, .end = t->face.end, .n_max = t->face.most, .contours_max = t->face.most};
-        err = lit_polygons(&t->lit, l, face, &lit);
-        const poly_t reached = {lit.v, lit.end, lit.contours};
-        if (!err && reached.contours) err = part_by(t, &reached, slope[l]);
-    }
-    for (int32_t k = 0; k < t->n && !err; k++)
-        err = hatch(t, &t->part[0][k].p, t->part[0][k].bright_q30, first_line, to);
-    return err;
+    const area_patch_sink_t sink = {&w, tone_part};
+    return t->patched ? area_patches_cut(&t->patches, face, p, t->clip_mem, t->clip_bytes, &sink)
+                      : tone_part(&w, p, 100);
 }
 
 int64_t area_toner_intersections(const area_toner_t *t) {

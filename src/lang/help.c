@@ -116,6 +116,8 @@ static const topic_t topics[] = {
 #if CONFIG_AREA
      "translucent ['NAME' ...]: with set hidden3d area what is behind is drawn too, with dashes; NAME: only faces\n"
      "behind usemtl NAME, g NAME or o NAME.\n"
+     "f a b c h d e f: with a hole.  d a b ...: lines on the face before; d a b c [h d e f] tone P: a polygon on it\n"
+     "that gives back P percent of the light (help hatch)\n"
 #endif
     },
     {"fu$nctions",

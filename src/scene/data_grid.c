@@ -1,5 +1,6 @@
 /* data_grid.c - recognises a separable grid while its points arrive, one comparison of packed words per point. */
 #include "scene/data_grid.h"
+#include "config.h"
 #include "error.h"
 
 #define TOLERANCE_SHIFT (-12)   /* of the first step: far below a pen's width on any paper */
@@ -19,6 +20,9 @@ static const char *const TEXT[] = {
     [DATA_SHORT] = "this line lacks a number that is needed",
     [DATA_TEXT] = "not a number",
     [DATA_DETAIL] = "a line on a face needs a face before it",
+#if CONFIG_AREA
+    [DATA_TONE] = "a tone is one number from 0 to 100",
+#endif
     [DATA_VERTEX] = "there is no vertex of this number before this line",
 };
 

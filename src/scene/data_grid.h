@@ -36,6 +36,7 @@ enum data_grid_trouble { /* why a point was refused */
                          DATA_SHORT,       /* a row without a column that is wanted */
                          DATA_TEXT,        /* a field is not a number */
                          DATA_DETAIL,      /* obj_reader: a detail without a face */
+                         DATA_TONE,        /* obj_reader: no percentage behind `tone`, or more */
                          DATA_VERTEX,      /* obj_reader: a vertex that does not exist */
 };
 

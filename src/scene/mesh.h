@@ -24,8 +24,16 @@ enum mesh_kind {
     MESH_FACE,   /* a polygon of count >= 3 vertices, which need not be different */
     MESH_LINE,   /* a polyline of count >= 2 vertices */
     MESH_OBJECT, /* count 0: what follows belongs to another object; 1: is translucent (word not 0) or not */
-    MESH_DETAIL, /* a polyline of count >= 2 vertices on the face before it */
+    MESH_DETAIL, /* a polyline of count >= 2 vertices on the face before it; a closed one may have a word behind them
+                    that is negative: mesh_tone() */
 };
+
+/* Of a detail: percent of the light that it gives back; or it is a line, and has none. */
+#define MESH_PLAIN 127
+/* first: the first contour of its polygon. */
+static inline int32_t mesh_tone_word(int32_t percent, bool first) {
+    return ~(percent << 1 | (int32_t)first);
+}
 
 typedef struct mesh {
     int32_t nv;             /* vertices */
@@ -63,6 +71,13 @@ static inline bool mesh_next(mesh_walk_t *w) {
 /* Vertex k of the element, 0 <= k < count. */
 static inline int32_t mesh_at(const mesh_walk_t *w, int32_t k) {
     return w->first[-1 - k];
+}
+/* The word behind a detail's vertices; w->count is their number afterwards. */
+static inline int32_t mesh_tone(mesh_walk_t *w) {
+    const int32_t word = w->count ? mesh_at(w, w->count - 1) : 0;
+    if (word >= 0) return mesh_tone_word(MESH_PLAIN, true);
+    w->count--;
+    return word;
 }
 /* The next triangle of all fans, those with a vertex twice left out; false at the end. Not to be mixed with mesh_next.
  */

@@ -1,12 +1,11 @@
 /* obj_reader.c - words of an OBJ file; a line's first word says what the others are. */
-#include "scene/obj_reader.h"
+#include "scene/obj_words.h"
+
 #include "error.h"
 #include "scene/field.h"
 #include <string.h>
 
 _Static_assert(sizeof(packed_t) == 2 * sizeof(int32_t), "two words are a unit of the pool");
-
-#define WORDS_MOST (INT32_MAX / 4) /* so that heads have room for their kind */
 
 void obj_reader_start(obj_reader_t *r, data_pool_t *pool, const affine_t *affine, bool inline_data,
                       int32_t first_line) {
@@ -15,63 +14,34 @@ void obj_reader_start(obj_reader_t *r, data_pool_t *pool, const affine_t *affine
     r->mesh.vertex = (const packed_t(*)[3])(const void *)(pool->base + pool->low);
 }
 
-static int refuse(obj_reader_t *r, enum data_grid_trouble why) {
-    r->trouble = why;
-    r->at = r->token_at;
-    return why == DATA_FULL ? ERR_FULL : ERR_DATA;
-}
-
-/* Pool units that so many words take at the upper end. */
-static size_t word_units(int32_t words) {
-    return ((size_t)words + 1) / 2;
-}
-
-static bool has_room(const obj_reader_t *r, int32_t nv, int32_t words) {
-    return (size_t)nv * 3 + word_units(words) <= r->pool->high - r->pool->low;
-}
-
-static int push(obj_reader_t *r, int32_t value) {
-    mesh_t *m = &r->mesh;
-    if (m->words == WORDS_MOST || !has_room(r, m->nv, m->words + 1)) return refuse(r, DATA_FULL);
-    *((int32_t *)(void *)(r->pool->base + r->pool->high) - 1 - m->words++) = value;
-    return 0;
-}
-
-static void set_head(obj_reader_t *r, enum mesh_kind kind, int32_t count) {
-    *((int32_t *)(void *)(r->pool->base + r->pool->high) - 1 - r->head) = count << 2 | (int32_t)kind;
-}
-
 static int number(obj_reader_t *r) {
     field_t f;
     field_start(&f, '\n', false, 0); /* a separator that cannot occur: the whole word is one field */
     const char *p = r->token;
     field_next(&f, &p, r->token + r->token_len);
     num_t a = field_finish(&f) == FIELD_VALUE ? field_num(&f) : num_undef();
-    if (a.undef || packed_from_num(a) == PACKED_HOLE) return refuse(r, DATA_TEXT);
+    if (a.undef || packed_from_num(a) == PACKED_HOLE) return obj_refuse(r, DATA_TEXT);
     r->vertex[r->words - 1] = a;
     if (r->words < 3) return 0;
     mesh_t *m = &r->mesh;
-    if (m->nv == INT32_MAX / 3 || !has_room(r, m->nv + 1, m->words)) return refuse(r, DATA_FULL);
+    if (m->nv == INT32_MAX / 3 || !obj_has_room(r, m->nv + 1, m->words)) return obj_refuse(r, DATA_FULL);
     if (r->affine) affine_apply(r->affine, r->vertex);
     packed_t *to = r->pool->base + r->pool->low + (size_t)m->nv * 3;
     for (int axis = 0; axis < 3; axis++) {
         to[axis] = packed_from_num(r->vertex[axis]);
-        if (to[axis] == PACKED_HOLE) return refuse(r, DATA_TEXT);
+        if (to[axis] == PACKED_HOLE) return obj_refuse(r, DATA_TEXT);
     }
     m->nv++;
     return 0;
-}
-
-static int32_t word_at(const obj_reader_t *r, int32_t k) {
-    return *((const int32_t *)(const void *)(r->pool->base + r->pool->high) - 1 - k);
 }
 
 /* Twice the area of a contour: words from <= k < to, as a vector square to it (Newell). */
 static void area_of(const obj_reader_t *r, int32_t from, int32_t to, num_t area[3]) {
     for (int axis = 0; axis < 3; axis++) area[axis] = num_from_i64(0);
     for (int32_t k = from; k < to; k++) {
-        const packed_t *p = r->mesh.vertex[word_at(r, k)], *q = r->mesh.vertex[word_at(r, k + 1 < to ? k + 1 : from)];
-        const packed_t *o = r->mesh.vertex[word_at(r, from)];
+        const packed_t *p = r->mesh.vertex[*obj_word(r, k)],
+                       *q = r->mesh.vertex[*obj_word(r, k + 1 < to ? k + 1 : from)];
+        const packed_t *o = r->mesh.vertex[*obj_word(r, from)];
         for (int axis = 0; axis < 3; axis++) {
             const int u = (axis + 1) % 3, v = (axis + 2) % 3;
             const num_t pu = num_sub(packed_num(p[u]), packed_num(o[u])),
@@ -86,17 +56,16 @@ static void area_of(const obj_reader_t *r, int32_t from, int32_t to, num_t area[
 /* Holes run the other way round than the polygon, so that what fills one runs like the polygon. */
 static void turn_hole(obj_reader_t *r) {
     int32_t outer = r->head + 2, last = r->mesh.words - 1;
-    while (word_at(r, outer) != word_at(r, r->head + 1)) outer++; /* the way back to where the contour began */
+    while (*obj_word(r, outer) != *obj_word(r, r->head + 1)) outer++; /* the way back to where the contour began */
     num_t around[3], hole[3], same = num_from_i64(0);
     area_of(r, r->head + 1, outer, around);
     area_of(r, r->contour, last + 1, hole);
     for (int axis = 0; axis < 3; axis++) same = num_add(same, num_mul(around[axis], hole[axis]));
     if (num_sign(same) <= 0) return;
-    int32_t *const word = (int32_t *)(void *)(r->pool->base + r->pool->high) - 1;
     for (int32_t k = r->contour; k < last; k++, last--) {
-        const int32_t swap = word[-k];
-        word[-k] = word[-last];
-        word[-last] = swap;
+        const int32_t swap = *obj_word(r, k);
+        *obj_word(r, k) = *obj_word(r, last);
+        *obj_word(r, last) = swap;
     }
 }
 
@@ -105,33 +74,34 @@ static void turn_hole(obj_reader_t *r) {
  * ... h0, so that a face stays one chain; edges of one face on both sides are no lines (solid_is_cut). */
 static int end_contour(obj_reader_t *r) {
     int32_t count = r->mesh.words - r->contour;
-    if (count < 3) return refuse(r, DATA_SHORT);
+    if (count < 3) return obj_refuse(r, DATA_SHORT);
     if (r->contour == r->head + 1) return 0;
     turn_hole(r);
-    return push(r, word_at(r, r->contour));
+    return obj_push(r, *obj_word(r, r->contour));
 }
 
 static int begin_hole(obj_reader_t *r) {
     int err = end_contour(r);
-    if (!err) err = push(r, word_at(r, r->head + 1));
+    if (!err) err = obj_push(r, *obj_word(r, r->head + 1));
     r->contour = r->mesh.words;
     return err;
 }
 
 static int corner(obj_reader_t *r) {
     if (r->what == 'f' && r->token_len == 1 && r->token[0] == 'h') return begin_hole(r);
+    if (r->what == 'd' && obj_detail_word(r)) return obj_detail_take(r);
     int32_t i = 0, v = 0;
     bool negative = r->token[0] == '-';
     if (negative) i++;
     int32_t digits = i;
     for (; i < r->token_len && r->token[i] >= '0' && r->token[i] <= '9'; i++) {
-        if (v > INT32_MAX / 16) return refuse(r, DATA_VERTEX);
+        if (v > INT32_MAX / 16) return obj_refuse(r, DATA_VERTEX);
         v = v * 10 + (r->token[i] - '0');
     }
-    if (i == digits || (i < r->token_len && r->token[i] != '/')) return refuse(r, DATA_TEXT);
+    if (i == digits || (i < r->token_len && r->token[i] != '/')) return obj_refuse(r, DATA_TEXT);
     v = negative ? r->mesh.nv - v : v - 1;
-    if (v < 0 || v >= r->mesh.nv) return refuse(r, DATA_VERTEX);
-    return push(r, v);
+    if (v < 0 || v >= r->mesh.nv) return obj_refuse(r, DATA_VERTEX);
+    return obj_push(r, v);
 }
 
 /* Lines that only concern looks. */
@@ -173,8 +143,8 @@ static int say_clear(obj_reader_t *r) {
     r->clear_any |= clear;
     if (clear == r->clear_now) return 0;
     r->clear_now = clear;
-    int err = push(r, 1 << 2 | MESH_OBJECT);
-    return err ? err : push(r, clear);
+    int err = obj_push(r, 1 << 2 | MESH_OBJECT);
+    return err ? err : obj_push(r, clear);
 }
 
 static int name(obj_reader_t *r) {
@@ -211,14 +181,16 @@ static int first_word(obj_reader_t *r) {
         r->what = 'e';
         return 0;
     }
-    if (r->what == 'd' && r->mesh.faces == 0) return refuse(r, DATA_DETAIL);
+    if (r->what == 'd' && r->mesh.faces == 0) return obj_refuse(r, DATA_DETAIL);
+    r->rings = 0;
+    r->detail = r->mesh.words;
     int err = clear_word(r);
     if (err || r->what == 'u') return err;
     if (r->what && r->what != 'v') {
         r->head = r->mesh.words;
-        err = push(r, 0);
+        err = obj_push(r, 0);
         if (err) return err;
-        set_head(r, MESH_OBJECT, 0);
+        obj_set_head(r, MESH_OBJECT, 0);
         r->contour = r->mesh.words;
     } else if (!r->what && !is_passed(r->token, (size_t)r->token_len)) {
         name_unsupported(r);
@@ -235,6 +207,8 @@ static int end_word(obj_reader_t *r) {
         err = number(r);
     else if (r->what == 'f' || r->what == 'l' || r->what == 'd')
         err = corner(r);
+    else if (r->what == OBJ_TONE)
+        err = obj_detail_tone(r);
     else if (r->what && r->what != 'v')
         err = name(r);
     r->words++;
@@ -247,18 +221,20 @@ static int end_element(obj_reader_t *r) {
     int32_t count = r->words - 1;
     r->token_at = r->at; /* what is missing is missing there */
     if (r->what == 'e' && r->words == 1) r->stopped = true;
-    if (r->what == 'v' && count < 3) return refuse(r, DATA_SHORT);
+    if (r->what == 'v' && count < 3) return obj_refuse(r, DATA_SHORT);
     if (r->what == 'f') {
         int err = end_contour(r);
         if (err) return err;
         count = m->words - r->head - 1;
-        set_head(r, MESH_FACE, count);
+        obj_set_head(r, MESH_FACE, count);
         m->faces++;
         m->corners += count;
-    } else if (r->what == 'l' || r->what == 'd') {
-        if (count < 2) return refuse(r, DATA_SHORT);
-        set_head(r, r->what == 'l' ? MESH_LINE : MESH_DETAIL, count);
-        *(r->what == 'l' ? &m->segments : &m->details) += count - 1;
+    } else if (r->what == 'l') {
+        if (count < 2) return obj_refuse(r, DATA_SHORT);
+        obj_set_head(r, MESH_LINE, count);
+        m->segments += count - 1;
+    } else if (r->what == 'd' || r->what == OBJ_TONE) {
+        return obj_detail_end(r);
     }
     return 0;
 }
@@ -285,7 +261,7 @@ static int take(obj_reader_t *r, char c) {
             return 0;
         }
         r->token_at = r->at - 1;
-        if (r->what) return refuse(r, DATA_TEXT);
+        if (r->what) return obj_refuse(r, DATA_TEXT);
     }
     if (c == '\n') return end_line(r);
     if (r->comment) return 0;
@@ -298,7 +274,7 @@ static int take(obj_reader_t *r, char c) {
     if (r->token_len < OBJ_WORD_MAX)
         r->token[r->token_len++] = c;
     else if (r->what && !strchr("ogu", r->what))
-        return refuse(r, DATA_TEXT);
+        return obj_refuse(r, DATA_TEXT);
     return 0;
 }
 
@@ -316,6 +292,6 @@ int obj_reader_finish(obj_reader_t *r, mesh_t *out) {
     if (r->mesh.faces == 0 && r->mesh.segments == 0) return ERR_EMPTY;
     *out = r->mesh;
     r->pool->low += (size_t)r->mesh.nv * 3;
-    r->pool->high -= word_units(r->mesh.words);
+    r->pool->high -= obj_word_units(r->mesh.words);
     return 0;
 }

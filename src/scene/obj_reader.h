@@ -1,13 +1,14 @@
 /* obj_reader.h - a Wavefront OBJ file, character by character, into a mesh.
  *
  * Taken: `v x y z` (a weight or colours behind it are passed over), `f a b c ...` (ours: `h d e f ...` behind it is a
- * hole in the polygon, and so on), ours: `d a b ...`, a line on the face before it, `l a b ...`, `o` and `g`; vertices
- * of faces and lines may be written a/t/n and may count backwards from the last (-1); a `\` at the end of a line
- * continues it; `#` begins a comment. Passed over, since lines have no use for them: vt, vn, s, mtllib, usemap, and
- * what else only concerns looks; usemtl and the names of o and g say what is translucent, if `clear` has names. Any
- * other word is named once, with its line, through `notice`, and passed over too. Inline data end at a line that is
- * just `e`. Each vertex goes through the transformation on its way into memory. Memory, from the pool: 24 bytes a
- * vertex upwards; downwards 4 bytes for each face, line or object and each of their vertices. */
+ * hole in the polygon, and so on), ours: `d a b ...`, a line on the face before it (obj_detail.c: contours and tones),
+ * `l a b ...`, `o` and `g`; vertices of faces and lines may be written a/t/n and may count backwards from the last
+ * (-1); a `\` at the end of a line continues it; `#` begins a comment. Passed over, since lines have no use for them:
+ * vt, vn, s, mtllib, usemap, and what else only concerns looks; usemtl and the names of o and g say what is
+ * translucent, if `clear` has names. Any other word is named once, with its line, through `notice`, and passed over
+ * too. Inline data end at a line that is just `e`. Each vertex goes through the transformation on its way into memory.
+ * Memory, from the pool: 24 bytes a vertex upwards; downwards 4 bytes for each face, line or object and each of their
+ * vertices. */
 #ifndef OBJ_READER_H
 #define OBJ_READER_H
 
@@ -37,6 +38,8 @@ typedef struct obj_reader {
 #endif
     int32_t head;    /* word of the element's head */
     int32_t contour; /* word where its contour at hand begins */
+    int32_t detail;  /* of a line `d`: word of its first head */
+    int32_t rings;   /* and how many closed contours it has */
     num_t vertex[3];
     uint32_t named; /* bits: words that have been named */
     /* What is not supported; may be NULL. text is not ended by a zero. */

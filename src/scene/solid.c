@@ -1,6 +1,7 @@
 /* solid.c - see solid.h: from meshes to vertices, faces and free segments on the lattice; solid_join.c goes on. */
 #include "scene/solid.h"
 
+#include "config.h"
 #include "error.h"
 #include "scene/solid_build.h"
 #include <string.h>
@@ -70,6 +71,8 @@ static bool measure(solid_t *s, const mesh_t *const *mesh, int32_t n) {
     for (int32_t k = 0; k < n; k++) {
         mesh_walk_t w = mesh_walk(mesh[k]);
         while (mesh_next(&w)) {
+            if (w.kind == MESH_OBJECT) continue;
+            if (CONFIG_AREA && w.kind == MESH_DETAIL) mesh_tone(&w);
             for (int32_t c = 0; c < w.count; c++) {
                 const packed_t *v = mesh[k]->vertex[mesh_at(&w, c)];
                 for (int axis = 0; axis < 3; axis++) {
@@ -199,10 +202,17 @@ static void add_line(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w) {
 }
 
 /* Kept until all edges are there. face: -1 if that had no area. */
-static void add_detail(solid_build_t *b, const mesh_t *m, const mesh_walk_t *w, int32_t face) {
-    for (int32_t k = 0; k + 1 < w->count && face >= 0; k++) {
-        int32_t p = vertex_of(b, m, mesh_at(w, k)), q = vertex_of(b, m, mesh_at(w, k + 1));
-        if (p != q) b->detail[b->s->nd++] = (solid_edge_t){{p < q ? p : q, p < q ? q : p}, {face, face}, -1, -1};
+static void add_detail(solid_build_t *b, const mesh_t *m, mesh_walk_t w, int32_t face) {
+    const int32_t word = CONFIG_AREA ? ~mesh_tone(&w) : MESH_PLAIN << 1, percent = word >> 1;
+    bool contour = true;
+    if (word & 1) b->new_polygon = true;
+    for (int32_t k = 0; k + 1 < w.count && face >= 0; k++) {
+        const int32_t p = vertex_of(b, m, mesh_at(&w, k)), q = vertex_of(b, m, mesh_at(&w, k + 1));
+        if (p == q) continue;
+        const int32_t tone = percent << 3 | b->new_polygon << 2 | contour << 1 | (p > q);
+        b->detail[b->s->nd++] =
+            (solid_edge_t){{p < q ? p : q, p < q ? q : p}, {face, percent == MESH_PLAIN ? face : ~tone}, -1, -1};
+        b->new_polygon = contour = false;
     }
 }
 
@@ -235,7 +245,7 @@ static void fill(solid_build_t *b, const mesh_t *const *mesh, int32_t n) {
                 add_face(b, mesh[k], &w, group, clear);
                 face = b->s->nf > before ? before : -1;
             }
-            if (w.kind == MESH_DETAIL) add_detail(b, mesh[k], &w, face);
+            if (w.kind == MESH_DETAIL) add_detail(b, mesh[k], w, face);
             if (w.kind == MESH_LINE) add_line(b, mesh[k], &w);
         }
     }

@@ -70,7 +70,8 @@ typedef struct solid {
     const solid_vertex_t *vertex;
     const solid_edge_t *edge; /* free segments included */
     int32_t nd;               /* edge[ne] .. edge[ne + nd - 1] are details: lines on face[0], in its order. They hide
-                                 nothing, and only the area sort knows them */
+                                 nothing, and only the area sort knows them. Of polygons with a tone face[1] is
+                                 solid_tone_t, and they follow one another around each contour */
     const solid_face_t *face;
     const int32_t *corner; /* vertices */
     const solid_object_t *object;
@@ -91,6 +92,17 @@ int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, siz
 
 /* Makes free segments of the details, for kernels that do not know them: what lies on a face is seen like it. */
 void solid_free_details(solid_t *s);
+/* What face[1] < 0 of a detail says: of edges of polygons with a tone. */
+typedef struct solid_tone {
+    int32_t percent; /* of the light that it gives back */
+    bool turned;     /* it runs from v[1] to v[0] */
+    bool contour;    /* it begins a contour */
+    bool polygon;    /* and that a polygon */
+} solid_tone_t;
+static inline solid_tone_t solid_tone(const solid_edge_t *e) {
+    const int32_t code = ~e->face[1];
+    return (solid_tone_t){code >> 3, code & 1, code >> 1 & 1, code >> 2 & 1};
+}
 /* Is the face translucent? */
 static inline bool solid_is_clear(const solid_t *s, int32_t face) {
     return s->face[face].clear;

@@ -17,6 +17,7 @@ typedef struct solid_build {
     int64_t origin[3];
     /* Until the end of the work only: */
     solid_edge_t *detail;
+    bool new_polygon;     /* the next contour of a detail begins one */
     int32_t *map;         /* vertex of the mesh at hand -> vertex, or -1 */
     int32_t *slot;        /* hash table of vertices, later of edges; -1: free */
     uint32_t slots;       /* a power of two */

@@ -268,6 +268,45 @@ details_end_with_their_face() {
     expect_text err 'line 3' 'a face before it'
 }
 
+# A square of 8 x 8, lit squarely, so without hatching, with a patch of 4 x 4 that has a hole of 2 x 2 and a smaller one
+# on it; hatch lines of a tone are so many a pitch. A wall throws its shadow on half of it.
+patches_have_tones() {
+    printf 'v -4 -4 0\nv 4 -4 0\nv 4 4 0\nv -4 4 0\nf 1 2 3 4\n' >square.obj
+    printf 'v -2 -2 0\nv 2 -2 0\nv 2 2 0\nv -2 2 0\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n' >>square.obj
+    lit='set view 0,0; set hidden3d area; set pen hatch 3 detail 2; set hatch 30,0.4; set light 0,0,1'
+    hatched() { # detail lines, lines a pitch, area, more commands, length of edges
+        { cat square.obj; printf '%s\n' "$1"; } >cube.obj
+        s=$(awk -v l="$(ink 1 "$lit")" 'BEGIN { print l / '"${5:-32}"' }')
+        awk -v l="$(ink 3 "$lit; $4")" -v s="$s" -v n="$2" -v a="$3" 'BEGIN { want = n * a * s * s / .4; print "# test_tone: " l " mm of hatching, " want
+            exit !((l - want) ^ 2 <= (.02 * want) ^ 2) }'
+    }
+    hatched 'd 5 6 7 8 h 9 10 11 12' 0 0
+    hatched 'd 5 6 7 8 tone 100' 0 0
+    hatched 'd 5 6 7 8 tone 60' .5 16
+    hatched 'd 5 6 7 8 h 9 10 11 12 tone 60' .5 12
+    hatched 'd 5 6 7 8 h 9 10 11 12 tone 20' 1.5 12
+    hatched 'd 5 6 7 8 h 12 11 10 9 tone 0' 2 12
+    hatched "d 5 6 7 8 tone 60
+d 9 10 11 12 tone 30" .625 16 # .5 of 12 and 1 of 4
+    # closed, whether it says so or not: outlines of 16 and 8
+    ratio "$(ink 2 "$lit")" "$(ink 1 "$lit")" 24 32
+    { cat square.obj; printf 'd 5 6 7 8 5 h 9 10 11 12 9 tone 60\n'; } >cube.obj
+    ratio "$(ink 2 "$lit")" "$(ink 1 "$lit")" 24 32
+    # light from (1, 0, 1) past a wall of 8 x 2: 16 in its shadow, dark whatever is there, 8 of the patch at .6 of .707
+    hatched 'd 5 6 7 8 tone 60
+v 2 -4 0
+v 2 4 0
+v 2 4 2
+v 2 -4 2
+f 13 14 15 16' 50 1 'set shadow; set light 1,0,1' 40 # 2 of 16, 1 of 8, .25 of 40
+    for bad in 'd 5 6 7 tone' 'd 5 6 7 tone 101' 'd 5 6 7 tone 5 5' 'd 5 6 7 tone -1'; do
+        { cat square.obj; printf '%s\n' "$bad"; } >bad.obj
+        printf 'splot "bad.obj"\n' >bad.gp
+        expect_status 2 ridgeline plot bad.gp -o bad.svg 2>err
+        expect_text err 'column 1' 'a tone is one number from 0 to 100'
+    done
+}
+
 settings_are_answered() {
     printf 'show pen\nset pen 3\nshow pen\nset pen hatch 2, shadow 8\nshow pen\nset crease 30.5\nshow crease\nset hidden3d area outline\nshow hidden3d\n' >show.gp
     printf 'unset pen\nunset crease\nset hidden3d area silhouette\nshow pen\nshow crease\nunset hidden3d\nset hidden3d area\nshow hidden3d\nhelp pen\nhelp crease\n' >>show.gp
@@ -284,4 +323,4 @@ settings_are_answered() {
     done
 }
 
-run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own grazing_light_casts_long_shadows shadows_overlap lamps_cast_shadows_too surfaces_are_shaded lamps_are_weighed_at_the_sheet surfaces_take_shadows glass_is_looked_through glass_has_a_name details_end_with_their_face settings_are_answered
+run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own grazing_light_casts_long_shadows shadows_overlap lamps_cast_shadows_too surfaces_are_shaded lamps_are_weighed_at_the_sheet surfaces_take_shadows glass_is_looked_through glass_has_a_name details_end_with_their_face patches_have_tones settings_are_answered
