@@ -11,7 +11,7 @@
 void bare_text(const char *s);
 void bare_number(int64_t v);
 void bare_hex(uint64_t v);
-/* The program of one file. Returning ends it. On a core argc is 1. */
+/* The program of one file. Returning ends it. On a core the emulator gives the arguments, up to three. */
 int bare_main(int argc, char **argv);
 /* A place in time: the emulators write down how many instructions (cycles) have passed. Nothing on the host. */
 void bare_mark(void);

@@ -25,16 +25,26 @@ $(BARE)/$2-$1.elf: $(patsubst %.c,$(BARE)/$1-$2/%.o,tests/emu/bare/$2.c tests/em
 	$$(Q)$(CROSS)gcc $(word 1,$(BARE_$1)) $(call bare_lds,$1,$2) $(BARE_LDS_$2) $$(filter %.o,$$^) $(BARE_LIBS_$2) -o $$@
 	$$(Q)$(CROSS)objcopy -O binary $$@ $$(@:.elf=.bin)
 endef
+# The area sort takes more memory than a micro:bit has: solids are run on the AN385.
+BARE_SRC_same        := tests/emu/bare/same_main.c
+BARE_SRC_same_solids := $(BARE_SRC_same) tests/emu/bare/integer_solids.c src/lang/settings.c src/motion/machine.c
 $(eval $(call bare_core,m0,same))
 $(eval $(call bare_core,m3,same))
-$(BARE)/same: $(BUILDDIR)/obj/tests/emu/bare/same.o $(BUILDDIR)/obj/tests/emu/bare/bare_host.o $(BARE_COMMON:%.c=$(BUILDDIR)/obj/%.o) $(BUILDDIR)/libcore.a
-	@mkdir -p $(@D)
-	$(call say,LD,$@)
-	$(Q)$(CC) $(LDFLAGS) $^ -o $@
+$(eval $(call bare_core,m0an,same_solids))
+$(eval $(call bare_core,m3,same_solids))
+define bare_same
+$(BARE)/$1: $(patsubst %.c,$(BUILDDIR)/obj/%.o,tests/emu/bare/$1.c tests/emu/bare/bare_host.c $(BARE_COMMON) $(filter tests/%,$(BARE_SRC_$1))) $(BUILDDIR)/libcore.a
+	@mkdir -p $$(@D)
+	$$(call say,LD,$$@)
+	$$(Q)$$(CC) $$(LDFLAGS) $$^ -o $$@
+endef
+$(eval $(call bare_same,same))
+$(eval $(call bare_same,same_solids))
+BARE_SAME := $(addprefix $(BARE)/,same same-m0.elf same-m3.elf same_solids same_solids-m0an.elf same_solids-m3.elf)
 $(BARE)/counter.so: tests/emu/bare/counter.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) -shared -fPIC -O2 -Wall -Wextra -o $@ $<
-BOARD_NEEDS += $(BARE)/same $(BARE)/same-m0.elf $(BARE)/same-m3.elf
+BOARD_NEEDS += $(BARE_SAME)
 
 # What is counted for `make report` (tests/report/boards.sh).
 BARE_SRC_count  := tests/emu/bare/formats.c tests/report/lattice.c

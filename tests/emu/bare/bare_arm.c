@@ -2,6 +2,7 @@
 #include "tests/emu/bare/bare.h"
 
 #define SYS_WRITE0 4
+#define SYS_GET_CMDLINE 0x15
 #define SYS_EXIT 0x18
 #define EXIT_DONE 0x20026
 #define EXIT_FAULT 0x20023
@@ -57,11 +58,29 @@ void bare_hex(uint64_t v) {
     bare_text(text);
 }
 
+/* What the emulator was told: the program's name and its arguments. One that has no command line leaves it empty. */
+static int arguments(char **argv, int most) {
+    static char text[80];
+    struct {
+        char *at;
+        int32_t bytes;
+    } block = {text, (int32_t)sizeof text};
+    int argc = 0;
+    call(SYS_GET_CMDLINE, (uint32_t)(uintptr_t)&block);
+    for (char *p = text; *p && argc < most;) {
+        argv[argc++] = p;
+        while (*p && *p != ' ') p++;
+        while (*p == ' ') *p++ = 0;
+    }
+    return argc;
+}
+
 void bare_start(void) {
-    static char name[] = "bare", *argv[] = {name, 0};
+    static char *argv[5];
     for (uint32_t *to = bare_data, *from = bare_data_load; to < bare_data_end;) *to++ = *from++;
     for (uint32_t *to = bare_bss; to < bare_bss_end;) *to++ = 0;
-    bare_main(1, argv);
+    const int argc = arguments(argv, 4);
+    bare_main(argc, argv);
     call(SYS_EXIT, EXIT_DONE);
     for (;;) continue;
 }

@@ -26,7 +26,8 @@ mcu.onBreak = (code) => {
     let text = '';
     for (let at = r1, c; (c = mcu.readUint8(at)) !== 0; at++) text += String.fromCharCode(c);
     process.stdout.write(text);
-  } else {
+  } else if (r0 === 0x15) mcu.writeUint8(mcu.readUint32(r1), 0); // no arguments
+  else {
     done = true;
     failed = r0 !== 0x18 || r1 !== 0x20026;
   }
