@@ -5,7 +5,7 @@ build=$(dirname "$RIDGELINE")/..
 
 errors_by_bits_and_sizes() {
     "$build/report/report_error" . --quick >section.md
-    for f in lattice.tsv lattice-times.tsv sizes.tsv lattice.svg pareto.svg sizes.svg; do [ -s $f ]; done
+    for f in lattice.tsv lattice-times.tsv sizes.tsv lattice.svg sizes.svg; do [ -s $f ]; done
     # Nobody is off by more than a step as shipped, everybody with no bits below it.
     awk -F '\t' 'NR > 1 && $4 == 15 && ($5 > 1 || $6 > 1 || $9 > .25 || $5 == "failed") { print; bad = 1 }
         NR > 1 && $4 == 0 && $9 > .25 { coarse[$1] = 1 }
@@ -31,4 +31,16 @@ bits_of_solids_haloes_polygons() {
         END { for (k in families) n++; exit bad || n != 12 || coarse != 4 }' bits.tsv
 }
 
-run_tests errors_by_bits_and_sizes solids_haloes_polygons bits_of_solids_haloes_polygons
+the_same_numbers_twice() {
+    for k in a b; do
+        mkdir $k
+        "$build/report/report_error" $k --quick >$k/README.md
+        "$build/report/report_solids" $k --quick >>$k/README.md
+    done
+    sh "$root/tests/report/twice.sh" a b >same
+    # And a number that is none of a time is not overlooked.
+    sed -i 's/^| perimeter | 15 (shipped) | 0/| perimeter | 15 (shipped) | 9/' b/README.md
+    ! sh "$root/tests/report/twice.sh" a b >differs
+}
+
+run_tests the_same_numbers_twice errors_by_bits_and_sizes solids_haloes_polygons bits_of_solids_haloes_polygons

@@ -44,6 +44,12 @@ static double plane(double x, double y) {
 static double along_x(double x, double y) {
     return (void)y, .5 * x;
 }
+static double roof(double x, double y) {
+    return (void)y, .5 * fabs(x);
+}
+static double nearly(double x, double y) {
+    return .5 * x + 1e-6 * noise(x, y);
+}
 static double along_y(double x, double y) {
     return (void)x, sin(3 * y);
 }
@@ -175,11 +181,13 @@ static const hard_case_t list[] = {
     /* What coincides. */
     {"facets exactly edge-on", plane, 17, 17, {8, -2, 3, 1}, 0, 0},
     {"facets exactly edge-on, parallel", plane, 17, 17, {2, 1, 0, 0}, 0, 0},
+    {"facets exactly edge-on before others", roof, 17, 17, {8, -2, 4, 1}, 0, 0},
     {"exactly coincident edges", along_x, 17, 17, {0, -1, 0, 0}, 0, 0},
     {"twisted quads", twisted, 10, 10, FROM_P, 0, 0},
     {"twisted quads, diagonal", twisted, 10, 10, {1, 1, .3, 0}, 0, 0},
     {"crossings at vertices", saw, 17, 17, {1, 1, -1, 0}, 0, 0},
     {"near-parallel edges", along_x, 17, 17, {.001, -1, .0001, 0}, 0, 0},
+    {"near-parallel edges, rough by 1e-6", nearly, 17, 17, {.001, -1, .0001, 0}, 0, 0},
     {"slivers below a step", noise, 30, 30, FROM_P, 1e6, 0},
     {"slivers below a step, parallel", wave, 30, 30, {1, -.02, .3, 0}, 1e6, 0},
     {"constant", constant, 20, 20, {6, 8, 9, 1}, 0, 0},

@@ -2,6 +2,7 @@
 #include "tests/report/lattice.h"
 
 #include "hidden/horizons.h"
+#include "hidden/windows_pool.h"
 #include "view/chart.h"
 
 int lattice_shift;
@@ -12,6 +13,8 @@ void __real_chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line
 void __wrap_chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line);
 int __real_horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1);
 int __wrap_horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1);
+int __real_windows_insert(windows_t *w, int32_t a0, int32_t a1, const outline_line_t *lo, const outline_line_t *hi);
+int __wrap_windows_insert(windows_t *w, int32_t a0, int32_t a1, const outline_line_t *lo, const outline_line_t *hi);
 
 static int32_t coarse(int32_t v) {
     return lattice_shift ? (v + (1 << (lattice_shift - 1))) >> lattice_shift : v;
@@ -46,4 +49,12 @@ int __wrap_horizons_clip(horizons_t *h, pencil_t p0, pencil_t p1) {
     if (lattice_simplify && !err && h->has_upper) simplify(&h->upper);
     if (lattice_simplify && !err && h->has_lower) simplify(&h->lower);
     return err;
+}
+
+/* What is left of a window that a facet cuts. */
+int __wrap_windows_insert(windows_t *w, int32_t a0, int32_t a1, const outline_line_t *lo, const outline_line_t *hi) {
+    if (lattice_simplify && a0 < a1 && windows_line_at(hi, a0) - windows_line_at(lo, a0) <= lattice_simplify &&
+        windows_line_at(hi, a1) - windows_line_at(lo, a1) <= lattice_simplify)
+        return 0;
+    return __real_windows_insert(w, a0, a1, lo, hi);
 }

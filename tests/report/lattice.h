@@ -13,7 +13,8 @@
 #define LATTICE_SHIPPED 15
 
 extern int lattice_shift;    /* bits to take off; 0: as shipped */
-extern int lattice_simplify; /* vertices this near (units) to the line of their neighbours leave a horizon; 0: none */
+extern int lattice_simplify; /* vertices this near (units) to the line of their neighbours leave a horizon, and what is
+                                left of a window is closed if it is no higher; 0: none */
 extern int lattice_profiles; /* 1: the horizon kernel is being run, which has no chart */
 
 /* The shift that leaves so many bits below a step. */

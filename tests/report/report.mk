@@ -3,7 +3,7 @@ REPORT_DIR ?= docs/report
 REPORT_LIB := $(patsubst %.c,$(BUILDDIR)/obj/%.o,$(filter-out tests/report/report_%.c,$(wildcard tests/report/*.c)))
 REPORTS := $(patsubst tests/report/%.c,$(BUILDDIR)/report/%,$(wildcard tests/report/report_*.c))
 # lattice.c stands before these functions of src/.
-REPORT_WRAP := $(addprefix -Wl$(comma)--wrap=,chart_row horizons_clip)
+REPORT_WRAP := $(addprefix -Wl$(comma)--wrap=,chart_row horizons_clip windows_insert)
 
 $(BUILDDIR)/report/%: $(BUILDDIR)/obj/tests/report/%.o $(REPORT_LIB) $(BUILDDIR)/liboracle.a $(BUILDDIR)/libhost.a $(BUILDDIR)/libcore.a
 	@mkdir -p $(@D)
@@ -27,7 +27,13 @@ report: ## install what is missing, write docs/report: speed against error, hard
 SECTION_NEEDS = $(if $(filter bits,$(SECTION)),$(SOLID_BITS_PROGRAMS),$(BUILDDIR)/report/report_$(SECTION))
 report-run: $(if $(SECTION),$(SECTION_NEEDS),host $(REPORTS) $(BARE_COUNTS) $(SOLID_BITS_PROGRAMS))
 	$(Q)CROSS=$(CROSS) sh tests/report/report.sh $(BUILDDIR) $(REPORT_DIR) $(SECTION)
-.PHONY: report report-run
+# Twice, from one build: what is no time must be the same. Leaves the report alone.
+report-twice: ## run the report twice into build/, and compare: the same numbers from the same commit
+	$(Q)sh .ci/deps.sh host test firmware emu check
+	+$(Q)$(again) REPORT_DIR=$(BUILDDIR)/report-1 report-run
+	+$(Q)$(again) REPORT_DIR=$(BUILDDIR)/report-2 report-run
+	$(Q)sh tests/report/twice.sh $(BUILDDIR)/report-1 $(BUILDDIR)/report-2
+.PHONY: report report-run report-twice
 # tests/cli/test_report.sh runs it.
 test-run test-cli: $(addprefix $(BUILDDIR)/report/,report_error report_solids solid_bits_28)
 
@@ -37,4 +43,4 @@ SOAK_TESTS := $(addprefix $(BUILDDIR)/tests/property/,test_metamorphic test_diff
 soak: $(SOAK_TESTS) $(BARE_SAME) ## random scenes and laws against the reference, new seeds every round, for SOAK_MINUTES (10)
 	$(Q)BUILDDIR=$(BUILDDIR) sh tests/report/soak.sh $(SOAK_MINUTES) $(SOAK_TESTS) tests/emu/test_same.sh
 .PHONY: soak
-$(BUILDDIR)/obj/tests/report/report_hard.o: CPPFLAGS += $(HOST_CFLAGS)
+$(BUILDDIR)/obj/tests/report/sheet.o: CPPFLAGS += $(HOST_CFLAGS)

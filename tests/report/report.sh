@@ -12,20 +12,22 @@ mkdir -p "$out"
 # Solids on coarser lattices, haloes and the clipper on coarser pages (tools/solid_bits.c).
 solid_bits() {
     printf 'kernel\tfamily\tbits\tscenes\twrong\tmissing_steps\tfalse_steps\tend_steps\tbytes\n' >"$out/solids-bits.tsv"
+    printf 'kernel\tfamily\tbits\tns_per_element\n' >"$out/solids-bits-times.tsv"
     printf '\n## Bits of the lattices of solids, haloes and polygons\n\n'
     echo 'Bits below a step of A4. For the convex kernel and the area sort the lattice of the scene is coarser, for haloes and the clipper'
     echo 'that of the page. The references get the scene as it was; the ends of edges that the lattice moves count as ends. Clipper: area'
     printf 'over the length of the borders.\n\n'
     printf '| kernel | family | bits | scenes (beyond a step) | missing | false | end | bytes | ns per element |\n|---|---|--:|--:|--:|--:|--:|--:|--:|\n'
     for b in 28 22 18 16 14; do "$bin/solid_bits_$b"; done >"$tmp/solid-bits"
-    awk -F '\t' -v OFS='\t' -v tsv="$out/solids-bits.tsv" '
+    awk -F '\t' -v OFS='\t' -v tsv="$out/solids-bits.tsv" -v times="$out/solids-bits-times.tsv" '
         { key = $1 "\t" $2; if (!(key in rows)) order[++n] = key; rows[key] = rows[key] $0 "\n"
           b = $3 + 0; off = $6 > $7 ? $6 : $7; if ($1 == "convex" || $1 == "area") { if (off > worst[b]) worst[b] = off }
           else if ($1 == "halo" && off > halo[b]) halo[b] = off }
         END {
             for (k = 1; k <= n; k++) for (m = split(rows[order[k]], line, "\n"); m > 1; m--) {
                 split(line[m - 1], f, "\t"); bits = f[3]; shipped = sub("s$", "", bits) ? " (shipped)" : ""
-                print f[1], f[2], bits, f[4], f[5], f[6], f[7], f[8], f[9] >tsv
+                print f[1], f[2], bits, f[4], f[5], f[6], f[7], f[8], f[9] >>tsv
+                print f[1], f[2], bits, f[10] >>times
                 printf "| %s | %s | %s%s | %s (%s) | %s | %s | %s | %s | %s |\n", f[1], f[2], bits, shipped, f[4], f[5], f[6], f[7], f[8], f[9], f[10]
             }
             printf "\n**Shipped: 14 bits below a step for solids**, what 32-bit differences with products of 64 and determinants of 126 bits take,\n"
@@ -82,6 +84,8 @@ costs() {
     echo "gnuplot's hidden3d 23,900 / 40,700."
 }
 
+{ section hard && section hard_solids; } >"$tmp/hard" &
+hard=$!
 {
     echo '# The numbers report'
     echo
@@ -98,7 +102,10 @@ costs() {
     "$bin/report_simplify" "$out"
     costs
     sh tests/report/boards.sh "$1" "$out"
-    for s in formats hard needs papers solids growth bits; do section $s; done
+    section formats
+    wait $hard # begun below, beside the others: it has no times
+    cat "$tmp/hard"
+    for s in needs papers solids growth bits pareto; do section $s; done
     echo
     echo '![error over bits and families](landscape.svg)'
     echo

@@ -63,28 +63,26 @@ static double worst_of(const judge_report_t *r) {
 /* The longest run of missing or false ink and the largest displacement, over the families, for each kernel and bits. */
 static void by_bits(const char *dir, int n, int every) {
     FILE *out = report_create(dir, "lattice.tsv"), *times = report_create(dir, "lattice-times.tsv");
-    static figure_t f, pareto;
+    static figure_t f;
     figure_init(&f, "Error against bits of the lattice", "bits below a step", "worst error (steps)");
     f.y_log = f.joined = true;
     f.y_line = 1;
-    figure_init(&pareto, "Error against time", "CPU time per facet (ns)", "worst error (steps)");
-    pareto.x_log = pareto.y_log = true;
-    pareto.y_line = 1;
     fputs(head, out);
     fputs("kernel\tfamily\tn\tbits\tns_per_facet\n", times);
     printf(
         "## Bits of the lattice\n\nThe kernels decide on integers. This is what their bits below a step of the plotter "
         "are worth: surfaces of %d x %d points, the worst of the five families (smooth, random, cliffs, grazing, "
         "far), in steps.\n\n"
-        "| kernel | bits | longest missing | longest false | largest end displacement | median ns per facet |\n"
-        "|---|--:|--:|--:|--:|--:|\n",
+        "| kernel | bits | longest missing | longest false | largest end displacement | most bytes | median ns per "
+        "facet |\n"
+        "|---|--:|--:|--:|--:|--:|--:|\n",
         n, n);
     for (int k = 0; k < KERNELS; k++) {
-        int series = figure_series(&f, subject_kernel_name[k]), dots = figure_series(&pareto, subject_kernel_name[k]);
+        int series = figure_series(&f, subject_kernel_name[k]);
         for (int b = 0; b < BITS; b++) {
-            static char label[BITS][16];
             judge_report_t all = {0};
             double ns[FAMILIES];
+            size_t bytes = 0;
             int bits = bits_list[b], failed = 0;
             for (int m = 0; m < FAMILIES; m++) {
                 outcome_t o = measure((enum subject_kernel)k, (enum subject_family)m, n, bits, every);
@@ -95,22 +93,21 @@ static void by_bits(const char *dir, int n, int every) {
                 else
                     judge_worst(&all, &o.error);
                 ns[m] = o.ns;
+                if (o.stats.bytes > bytes) bytes = o.stats.bytes;
             }
             for (int i = 1; i < FAMILIES; i++)
                 for (int j = i; j > 0 && ns[j - 1] > ns[j]; j--) {
                     double t = ns[j];
                     ns[j] = ns[j - 1], ns[j - 1] = t;
                 }
-            printf("| %s | %d%s | %.2f | %.2f | %.2f | %.0f%s |\n", subject_kernel_name[k], bits,
+            printf("| %s | %d%s | %.2f | %.2f | %.2f | %zu | %.0f%s |\n", subject_kernel_name[k], bits,
                    bits == LATTICE_SHIPPED ? " (shipped)" : "", steps(all.missing_mm), steps(all.false_mm),
-                   all.end_steps, ns[FAMILIES / 2], failed ? "; some drawings failed" : "");
-            snprintf(label[b], sizeof label[b], "%d", bits);
+                   all.end_steps, bytes, ns[FAMILIES / 2], failed ? "; some drawings failed" : "");
             figure_add(&f, series, bits, worst_of(&all), NULL);
-            figure_add(&pareto, dots, ns[FAMILIES / 2], worst_of(&all), label[b]);
         }
     }
     printf(
-        "\n![error against bits](lattice.svg)\n![error against time](pareto.svg)\n\n"
+        "\n![error against bits](lattice.svg)\n\n"
         "**Shipped: %d bits**, all that 32-bit words with products of 64 hold. Fewer would be no faster, as the times "
         "show: a word is a word; a vertex would be smaller only with 16 bits in all, which leave no bit below a step, "
         "and there ink goes missing by hundreds of steps. With 2 bits ends are still off by up to a step; "
@@ -122,8 +119,6 @@ static void by_bits(const char *dir, int n, int every) {
     char path[512];
     snprintf(path, sizeof path, "%s/lattice.svg", dir);
     figure_write(&f, path);
-    snprintf(path, sizeof path, "%s/pareto.svg", dir);
-    figure_write(&pareto, path);
 }
 
 static void by_size(const char *dir, bool quick) {

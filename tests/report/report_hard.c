@@ -1,20 +1,17 @@
 /* report_hard - the hard list of tests/oracle/hard_list.h: ours beside a naive drawing, pictures and errors.
  *
  *     report_hard DIR      writes DIR/hard.md, hard.tsv, hard-1.png ... (contact sheets), and the section on stdout */
-#include <cairo.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "tests/oracle/compare_ink.h"
 #include "tests/oracle/hard_list.h"
 #include "tests/report/naive.h"
+#include "tests/report/sheet.h"
 
-#define PER_SHEET 30
-#define COLUMNS 3 /* pairs in a row of a sheet */
-#define CELL_W 190
-#define CELL_H 140
-#define CAPTION 30
+#define CASES_MOST 128
 
 static double steps(double mm) {
     return mm / JUDGE_STEP_MM;
@@ -36,53 +33,18 @@ static bool part_on_page(const scene_t *s, const judge_piece_t *p, int k, double
     return true;
 }
 
-typedef struct box {
-    double x0, y0, x1, y1;
-} box_t;
-
-/* With cr: what lies in the box, in strokes of a few hundred lines, since a path of millions takes minutes. Without:
- * grows the box by the ink. */
-static void show(cairo_t *cr, const scene_t *s, const run_drawing_t *d, box_t *box) {
-    int lines = 0;
+/* What of a drawing is on the page, and in the box if there is one. */
+static strokes_t strokes_of(const scene_t *s, const run_drawing_t *d, const sheet_box_t *box) {
+    strokes_t all = {0};
     for (size_t i = 0; i < d->n; i++)
         for (int k = (int)d->piece[i].from; k < d->piece[i].to; k++) {
             double at[4];
             if (!part_on_page(s, &d->piece[i], k, at)) continue;
-            if (cr) {
-                if (fmax(at[0], at[2]) < box->x0 || fmin(at[0], at[2]) > box->x1) continue;
-                if (fmax(at[1], at[3]) < box->y0 || fmin(at[1], at[3]) > box->y1) continue;
-                cairo_move_to(cr, at[0], at[1]);
-                cairo_line_to(cr, at[2], at[3]);
-                if (++lines % 500 == 0) cairo_stroke(cr);
-                continue;
-            }
-            box->x0 = fmin(box->x0, fmin(at[0], at[2])), box->x1 = fmax(box->x1, fmax(at[0], at[2]));
-            box->y0 = fmin(box->y0, fmin(at[1], at[3])), box->y1 = fmax(box->y1, fmax(at[1], at[3]));
+            if (box && (fmax(at[0], at[2]) < box->x0 || fmin(at[0], at[2]) > box->x1)) continue;
+            if (box && (fmax(at[1], at[3]) < box->y0 || fmin(at[1], at[3]) > box->y1)) continue;
+            strokes_add(&all, at[0], at[1], at[2], at[3]);
         }
-}
-
-static void thumbnail(cairo_t *cr, double x, double y, const scene_t *s, const run_drawing_t *d, box_t *box) {
-    double w = fmax(box->x1 - box->x0, 1e-6), h = fmax(box->y1 - box->y0, 1e-6);
-    double k = fmin((CELL_W - 12) / w, (CELL_H - 8) / h);
-    cairo_save(cr);
-    cairo_rectangle(cr, x + 2, y, CELL_W - 4, CELL_H);
-    cairo_clip(cr);
-    cairo_translate(cr, x + CELL_W / 2., y + CELL_H / 2.);
-    cairo_scale(cr, k, -k);
-    cairo_translate(cr, -(box->x0 + box->x1) / 2, -(box->y0 + box->y1) / 2);
-    cairo_set_line_width(cr, .6 / k);
-    cairo_set_source_rgb(cr, 0, 0, 0);
-    show(cr, s, d, box);
-    cairo_stroke(cr);
-    cairo_restore(cr);
-}
-
-static void caption(cairo_t *cr, double x, double y, const char *text, double shade) {
-    cairo_set_source_rgb(cr, shade, 0, 0);
-    cairo_set_font_size(cr, 10);
-    cairo_move_to(cr, x, y);
-    cairo_show_text(cr, text);
-    cairo_new_path(cr);
+    return all;
 }
 
 /* What of d lies on the lines that the judge looks at. */
@@ -113,40 +75,21 @@ static judge_report_t judged(const scene_t *s, const run_drawing_t *d, int every
     return r;
 }
 
-static cairo_t *sheet_start(int cases) {
-    const int rows = (cases + COLUMNS - 1) / COLUMNS;
-    cairo_surface_t *to =
-        cairo_image_surface_create(CAIRO_FORMAT_RGB24, COLUMNS * 2 * CELL_W, rows * (CELL_H + CAPTION));
-    cairo_t *cr = cairo_create(to);
-    cairo_surface_destroy(to);
-    cairo_set_source_rgb(cr, 1, 1, 1);
-    cairo_paint(cr);
-    return cr;
-}
-
-static void sheet_end(cairo_t *cr, const char *dir, int number) {
-    char path[512];
-    snprintf(path, sizeof path, "%s/hard-%d.png", dir, number);
-    if (cairo_surface_write_to_png(cairo_get_target(cr), path) != CAIRO_STATUS_SUCCESS) {
-        perror(path);
-        exit(1);
-    }
-    cairo_destroy(cr);
-}
-
 typedef struct account {
-    judge_report_t ours, naive;
+    sheets_t sheets;
+    FILE *md, *tsv;
+    judge_report_t ours, naive, of[CASES_MOST]; /* of each case: ours */
+    double naive_of[CASES_MOST];                /* mm, missing or false */
     int naive_wrong;
 } account_t;
 
-/* Draws s in both ways, judges, and enters it as number i, called name, on the sheet. part: what of the page is shown,
- * or NULL for all that has ink. */
-static void enter(int i, const char *name, const scene_t *s, int every, const box_t *part, cairo_t *cr, FILE *md,
-                  FILE *tsv, account_t *all) {
+/* Draws s in both ways, judges, and enters it as number i, called name. part: what of the page is shown, or NULL for
+ * all that has ink. */
+static void enter(int i, const char *name, const scene_t *s, int every, const sheet_box_t *part, account_t *all) {
     run_drawing_t ours = {0}, naive = {0};
     hidden_stats_t stats;
-    box_t box = {INFINITY, INFINITY, -INFINITY, -INFINITY};
     char text[160];
+    fprintf(stderr, "report_hard: %d %s\n", i, name);
     run_perimeter(s, &ours, &stats);
     naive_draw(s, &naive);
     judge_report_t a = judged(s, &ours, every);
@@ -154,28 +97,23 @@ static void enter(int i, const char *name, const scene_t *s, int every, const bo
     judge_worst(&all->ours, &a);
     judge_worst(&all->naive, &b);
     all->naive_wrong += b.missing_mm > JUDGE_STEP_MM || b.false_mm > JUDGE_STEP_MM;
-    fprintf(md, "| %d | %s | %.2f | %.2f | %.2f | %.0f | %.0f |\n", i, s->what, steps(a.missing_mm), steps(a.false_mm),
+    if (i >= CASES_MOST) abort();
+    all->of[i] = a;
+    all->naive_of[i] = fmax(b.missing_mm, b.false_mm);
+    fprintf(all->md, "| %d | %s | %.2f | %.2f | %.2f | %.0f | %.0f |\n", i, s->what, steps(a.missing_mm),
+            steps(a.false_mm), a.end_steps, steps(b.missing_mm), steps(b.false_mm));
+    fprintf(all->tsv, "%d\t%s\t%.3f\t%.3f\t%.3f\t%.1f\t%.1f\n", i, s->what, steps(a.missing_mm), steps(a.false_mm),
             a.end_steps, steps(b.missing_mm), steps(b.false_mm));
-    fprintf(tsv, "%d\t%s\t%.3f\t%.3f\t%.3f\t%.1f\t%.1f\n", i, s->what, steps(a.missing_mm), steps(a.false_mm),
-            a.end_steps, steps(b.missing_mm), steps(b.false_mm));
-    double x = i % PER_SHEET % COLUMNS * 2 * CELL_W, y = (double)(i % PER_SHEET / COLUMNS) * (CELL_H + CAPTION);
-    if (part)
-        box = *part;
-    else
-        show(NULL, s, &ours, &box);
-    if (!(box.x1 > box.x0)) box = (box_t){0, 0, 1, 1};
-    thumbnail(cr, x, y, s, &ours, &box);
-    thumbnail(cr, x + CELL_W, y, s, &naive, &box);
-    snprintf(text, sizeof text, "%d %s", i, name);
-    caption(cr, x + 4, y + CELL_H + 11, text, 0);
+    strokes_t shown[2] = {strokes_of(s, &ours, part), strokes_of(s, &naive, part)};
     snprintf(text, sizeof text, "naive: %.0f steps missing, %.0f false", steps(b.missing_mm), steps(b.false_mm));
-    caption(cr, x + CELL_W + 4, y + CELL_H + 23, text, .7);
+    sheets_enter(&all->sheets, name, text, &shown[0], &shown[1], part);
+    for (int k = 0; k < 2; k++) strokes_free(&shown[k]);
     run_drawing_free(&ours);
     run_drawing_free(&naive);
 }
 
 /* 9 million facets: some lines are judged, and a fiftieth of the page is shown. */
-static void large(int i, bool rough, cairo_t *cr, FILE *md, FILE *tsv, account_t *all) {
+static void large(int i, bool rough, account_t *all) {
     enum { LARGE = 3000 };
     scene_t s;
     uint64_t rng = 3000;
@@ -187,41 +125,106 @@ static void large(int i, bool rough, cairo_t *cr, FILE *md, FILE *tsv, account_t
              LARGE);
     double x, y;
     page_view_point(&s.view, surface_ref_node(&s.ref, LARGE / 2, LARGE / 2), &x, &y);
-    const box_t part = {x - .6, y - .45, x + .6, y + .45};
-    enter(i, name, &s, LARGE, &part, cr, md, tsv, all);
+    const sheet_box_t part = {x - .6, y - .45, x + .6, y + .45};
+    enter(i, name, &s, LARGE, &part, all);
     scene_free(&s);
+}
+
+/* The cases that were asked for, and the rows that are them: all whose names begin so. */
+static const struct {
+    const char *asked, *rows[6];
+} wanted[] = {
+    {"viewer in a grid plane", {"in a grid plane", "in the border plane", "in the plane of the middle"}},
+    {"viewer over a vertex", {"over a vertex", "over a border vertex", "over a corner", "below, under a vertex"}},
+    {"viewer on the line of a grid edge", {"on the line of a grid edge", "over an edge", "over a border edge"}},
+    {"viewer over the middle at any height", {"over the middle", "2x2 from over its middle", "in the pit"}},
+    {"viewer below", {"below"}},
+    {"viewer level with a plateau", {"level with the plateau", "level with the ground"}},
+    {"viewer grazing a random surface", {"grazing random"}},
+    {"viewer 1e6 away", {"1e6 away", "1e4 away"}},
+    {"viewer 1e-3 from the surface", {"1e-3 over", "1e-3 beside", "very near"}},
+    {"facets seen exactly edge-on", {"facets exactly edge-on", "constant, level"}},
+    {"twisted quads", {"twisted quads", "2x2 twisted"}},
+    {"near-parallel edges", {"near-parallel edges"}},
+    {"exactly coincident edges", {"exactly coincident edges", "isometric"}},
+    {"crossings at vertices", {"crossings at vertices"}},
+    {"slivers below a step", {"slivers below a step"}},
+    {"cliffs of 1e6", {"cliffs of 1e6", "heights of"}},
+    {"heights differing by 1e-9", {"differences of 1e-9", "differences of 1e-6"}},
+    {"non-uniform grids, cells from 1e-4 to 1", {"cells from 1e-4 to 1"}},
+    {"2x2 and 2xN", {"2x2", "2x60", "60x2"}},
+    {"3000x3000", {"3000x3000"}},
+    {"undefined: annulus", {"annulus"}},
+    {"undefined: checkerboard", {"checkerboard", "every fifth point undefined"}},
+    {"undefined: half-plane", {"half-plane"}},
+    {"singular: 1/(x*x+y*y)", {"1/(x*x+y*y)"}},
+    {"singular: tan, log", {"tan", "log"}},
+    {"discontinuous: int, sgn", {"int", "sgn"}},
+    {"all undefined", {"all undefined"}},
+    {"constant", {"constant"}},
+    {"huge and tiny ranges", {"huge range", "tiny range", "a world of 1e"}},
+};
+
+static const char *name_of(int i) {
+    const int listed = hard_list_count();
+    return i < listed ? hard_list_name(i) : "3000x3000";
+}
+
+/* Which rows of the table are each case, and the worst of them. Ends the program if a case has none. */
+static void match(const account_t *all, int count) {
+    fputs("\n## What was asked for, and where it is\n\n"
+          "| case | rows | missing or false | end off | naive: at worst |\n|---|---|--:|--:|--:|\n",
+          all->md);
+    for (size_t w = 0; w < sizeof wanted / sizeof *wanted; w++) {
+        double off = 0, end = 0, naive = 0;
+        int rows = 0;
+        fprintf(all->md, "| %s |", wanted[w].asked);
+        for (int i = 0; i < count; i++)
+            for (int k = 0; k < 6 && wanted[w].rows[k]; k++) {
+                if (strncmp(name_of(i), wanted[w].rows[k], strlen(wanted[w].rows[k])) != 0) continue;
+                fprintf(all->md, "%s %d", rows++ ? "," : "", i);
+                off = fmax(off, fmax(all->of[i].missing_mm, all->of[i].false_mm));
+                end = fmax(end, all->of[i].end_steps);
+                naive = fmax(naive, all->naive_of[i]);
+                break;
+            }
+        fprintf(all->md, " | %.2f | %.2f | %.0f |\n", steps(off), end, steps(naive));
+        if (!rows) {
+            fprintf(stderr, "report_hard: no row is `%s`\n", wanted[w].asked);
+            exit(1);
+        }
+    }
 }
 
 int main(int argc, char **argv) {
     char path[512];
-    account_t all = {0};
+    static account_t all;
     if (argc < 2) return 2;
     snprintf(path, sizeof path, "%s/hard.md", argv[1]);
-    FILE *md = fopen(path, "w");
+    FILE *md = all.md = fopen(path, "w");
     snprintf(path, sizeof path, "%s/hard.tsv", argv[1]);
-    FILE *tsv = fopen(path, "w");
+    FILE *tsv = all.tsv = fopen(path, "w");
     if (!md || !tsv) return 1;
     fprintf(tsv, "number\tscene\tmissing_steps\tfalse_steps\tend_steps\tnaive_missing_steps\tnaive_false_steps\n");
     fprintf(md,
             "# Hard cases\n\nLeft ours, right a naive floating horizon of %d columns in single precision. Errors in "
             "steps of 0.0125 mm, the longest run each.\n\n",
             NAIVE_COLUMNS);
-    int listed = hard_list_count(), count = listed + 2, sheets = (count + PER_SHEET - 1) / PER_SHEET;
+    int listed = hard_list_count(), count = listed + 2, sheets = sheets_count(count);
+    all.sheets = (sheets_t){.dir = argv[1], .name = "hard", .cases = count};
     for (int k = 1; k <= sheets; k++) fprintf(md, "![sheet %d](hard-%d.png)\n", k, k);
     fprintf(md, "\n| | scene | missing | false | end off | naive: missing | false |\n|--:|---|--:|--:|--:|--:|--:|\n");
-    cairo_t *cr = NULL;
     for (int i = 0; i < count; i++) {
-        if (i % PER_SHEET == 0) cr = sheet_start(count - i < PER_SHEET ? count - i : PER_SHEET);
         if (i < listed) {
             scene_t s;
             hard_list_build(i, &s);
-            enter(i, hard_list_name(i), &s, 0, NULL, cr, md, tsv, &all);
+            enter(i, hard_list_name(i), &s, 0, NULL, &all);
             scene_free(&s);
         } else {
-            large(i, i > listed, cr, md, tsv, &all);
+            large(i, i > listed, &all);
         }
-        if (i % PER_SHEET == PER_SHEET - 1 || i == count - 1) sheet_end(cr, argv[1], i / PER_SHEET + 1);
     }
+    match(&all, count);
     fclose(md);
     fclose(tsv);
     printf(

@@ -22,7 +22,8 @@ static const double tolerance[] = {0, 1 / 256., 1 / 64., 1 / 16., 1 / 4., 1, 4};
 
 typedef struct total {
     judge_report_t error;
-    double vertices, tests, facets, ns[FAMILIES];
+    double vertices, windows, tests, facets, ns[FAMILIES];
+    size_t bytes; /* the most of a family */
 } total_t;
 
 static int by_size(const void *a, const void *b) {
@@ -40,6 +41,8 @@ static void measure(enum subject_kernel kernel, double steps, total_t *t) {
         if (subject_judge(&u, EVERY, &r, &st)) abort();
         judge_worst(&t->error, &r);
         t->vertices += st.peak_upper + st.peak_lower;
+        t->windows += st.windows;
+        if (st.bytes > t->bytes) t->bytes = st.bytes;
         t->tests += (double)st.tests;
         t->facets += (double)st.facets;
         t->ns[m] = subject_ns(&u);
@@ -50,7 +53,6 @@ static void measure(enum subject_kernel kernel, double steps, total_t *t) {
 }
 
 int main(int argc, char **argv) {
-    static const enum subject_kernel kernels[] = {KERNEL_PERIMETER, KERNEL_HORIZON};
     static figure_t f;
     static char label[TOLERANCES][16];
     char path[512];
@@ -61,29 +63,34 @@ int main(int argc, char **argv) {
                 "worst error (steps)");
     f.x_log = f.y_log = true;
     f.y_line = 1;
-    fputs("kernel\tn\ttolerance_steps\tmissing_steps\tfalse_steps\tend_steps\tpeak_vertices\ttests_per_facet\n", out);
+    fputs("kernel\tn\ttolerance_steps\tmissing_steps\tfalse_steps\tend_steps\tpeak_vertices\tpeak_windows\ttests_per_"
+          "facet\tbytes\n",
+          out);
     fputs("kernel\tn\ttolerance_steps\tns_per_facet\n", times);
-    printf(
-        "\n## Simpler horizons\n\nA vertex nearer than a tolerance to the line of its neighbours leaves the horizon. "
-        "%d x %d points, the worst of the five families, vertices at peak on average.\n\n"
-        "| kernel | tolerance (steps) | longest missing | longest false | largest end displacement | vertices | "
-        "tests per facet | median ns per facet |\n|---|--:|--:|--:|--:|--:|--:|--:|\n",
-        N, N);
-    for (int k = 0; k < 2; k++) {
-        const char *name = subject_kernel_name[kernels[k]];
+    printf("\n## Simpler horizons\n\nA vertex nearer than a tolerance to the line of its neighbours leaves the "
+           "horizon; what is "
+           "left of a window that a facet cuts is closed if it is no higher than that. %d x %d points, the worst of "
+           "the five "
+           "families, vertices and windows at peak on average, the most bytes.\n\n"
+           "| kernel | tolerance (steps) | longest missing | longest false | largest end displacement | vertices | "
+           "windows | tests per facet | bytes | median ns per facet |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
+           N, N);
+    for (int k = 0; k < KERNELS; k++) {
+        const char *name = subject_kernel_name[(enum subject_kernel)k];
         int series = figure_series(&f, name);
         for (int i = 0; i < TOLERANCES; i++) {
             total_t t = {0};
-            measure(kernels[k], tolerance[i], &t);
+            measure((enum subject_kernel)k, tolerance[i], &t);
             if (k == 0 && i == 0) shipped = t;
             if (k == 0 && tolerance[i] == 1) at_step = t;
             double missing = t.error.missing_mm / JUDGE_STEP_MM, falsely = t.error.false_mm / JUDGE_STEP_MM;
             double vertices = t.vertices / FAMILIES, tests = t.tests / t.facets, ns = t.ns[FAMILIES / 2];
-            fprintf(out, "%s\t%d\t%g\t%.3f\t%.3f\t%.3f\t%.0f\t%.3f\n", name, N, tolerance[i], missing, falsely,
-                    t.error.end_steps, vertices, tests);
+            fprintf(out, "%s\t%d\t%g\t%.3f\t%.3f\t%.3f\t%.0f\t%.0f\t%.3f\t%zu\n", name, N, tolerance[i], missing,
+                    falsely, t.error.end_steps, vertices, t.windows / FAMILIES, tests, t.bytes);
             fprintf(times, "%s\t%d\t%g\t%.1f\n", name, N, tolerance[i], ns);
-            printf("| %s | %.3g%s | %.2f | %.2f | %.2f | %.0f | %.2f | %.0f |\n", name, tolerance[i],
-                   tolerance[i] > 0 ? "" : " (shipped)", missing, falsely, t.error.end_steps, vertices, tests, ns);
+            printf("| %s | %.3g%s | %.2f | %.2f | %.2f | %.0f | %.0f | %.2f | %zu | %.0f |\n", name, tolerance[i],
+                   tolerance[i] > 0 ? "" : " (shipped)", missing, falsely, t.error.end_steps, vertices,
+                   t.windows / FAMILIES, tests, t.bytes, ns);
             snprintf(label[i], sizeof label[i], "%.3g", tolerance[i]);
             figure_add(&f, series, ns, fmax(fmax(missing, falsely), t.error.end_steps), label[i]);
         }

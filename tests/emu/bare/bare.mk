@@ -48,7 +48,7 @@ BOARD_NEEDS += $(BARE_SAME)
 
 # What is counted for `make report` (tests/report/boards.sh).
 BARE_SRC_count  := tests/emu/bare/formats.c tests/report/lattice.c
-BARE_LDS_count  := $(addprefix -Wl$(comma)--wrap=,chart_row horizons_clip)
+BARE_LDS_count  := $(addprefix -Wl$(comma)--wrap=,chart_row horizons_clip windows_insert)
 BARE_LIBS_count := -lm
 # Solids apart: a Pico's RAM does not take the code of both.
 BARE_rp2040_count_solids := -mcpu=cortex-m0plus 0x20000000 0x20024000 0x20042000

@@ -1,0 +1,35 @@
+/* sheet.h - contact sheets: for each case ours on the left and a naive drawing on the right, as PNG. */
+#ifndef REPORT_SHEET_H
+#define REPORT_SHEET_H
+
+#include <stddef.h>
+
+#define SHEET_CASES 30 /* on one sheet */
+
+typedef struct sheet_box {
+    double x0, y0, x1, y1;
+} sheet_box_t;
+
+/* Strokes on the page, any unit. */
+typedef struct strokes {
+    float (*at)[4]; /* x, y of both ends */
+    size_t n, room;
+} strokes_t;
+
+void strokes_add(strokes_t *s, double x0, double y0, double x1, double y1);
+void strokes_free(strokes_t *s);
+
+typedef struct sheets {
+    const char *dir, *name; /* DIR/NAME-1.png ... */
+    int cases, entered;
+    struct _cairo *cr;
+} sheets_t;
+
+/* How many sheets there are for so many cases. */
+int sheets_count(int cases);
+/* Enters the next case. part: what of the page is shown; NULL: all that has ink in ours. Writes each sheet that is
+ * full, the last one with the last case; ends the program if that fails. */
+void sheets_enter(sheets_t *s, const char *name, const char *naive, const strokes_t *ours, const strokes_t *other,
+                  const sheet_box_t *part);
+
+#endif
