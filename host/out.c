@@ -13,6 +13,8 @@
 
 /* "000" ... "999", padded to four bytes so that one store writes an entry. */
 static char digits3[1000][4];
+/* "0" ... "999", and in the fourth byte how many digits that are: no branch, which would be guessed wrong. */
+static char whole3[1000][4];
 static bool digits_ready;
 
 static void make_digits(void) {
@@ -21,6 +23,9 @@ static void make_digits(void) {
         digits3[i][1] = (char)('0' + i / 10 % 10);
         digits3[i][2] = (char)('0' + i % 10);
         digits3[i][3] = 0;
+        const int zeros = i < 10 ? 2 : i < 100 ? 1 : 0;
+        memcpy(whole3[i], digits3[i] + zeros, (size_t)(3 - zeros));
+        whole3[i][3] = (char)(3 - zeros);
     }
     digits_ready = true;
 }
@@ -85,16 +90,13 @@ void out_format(out_t *o, const char *format, ...) {
 }
 
 /* A non-negative integer without leading zeros. */
-static char *put_u32(char *p, uint32_t v) {
-    if (v >= 1000) {
-        p = put_u32(p, v / 1000); /* at most three deep */
-        memcpy(p, digits3[v % 1000], 4);
-        return p + 3;
-    }
-    const char *d = digits3[v];
-    if (v >= 100) *p++ = d[0];
-    if (v >= 10) *p++ = d[1];
-    *p++ = d[2];
+static inline char *put_u32(char *p, uint32_t v) {
+    char rest[12];
+    size_t n = 0;
+    for (; v >= 1000; v /= 1000, n += 3) memcpy(rest + n, digits3[v % 1000], 4); /* three times at the most */
+    memcpy(p, whole3[v], 4);
+    p += whole3[v][3];
+    for (; n > 0; n -= 3, p += 3) memcpy(p, rest + n - 3, 4);
     return p;
 }
 
