@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 #include "error.h"
 
@@ -70,6 +71,17 @@ void drawing_set_title(drawing_t *d, const char *title) {
     d->title[at] = 0;
 }
 
+/* A large drawing would spend more time on getting memory page by page than on being stored. */
+static void ask_huge_pages(void *p, size_t bytes) {
+#ifdef MADV_HUGEPAGE
+    const uintptr_t page = (uintptr_t)2 << 20, from = ((uintptr_t)p + page - 1) / page * page;
+    const uintptr_t end = (uintptr_t)p + bytes;
+    if (bytes > 2 * page) madvise((void *)from, end - from, MADV_HUGEPAGE);
+#else
+    (void)p, (void)bytes;
+#endif
+}
+
 /* Makes *array hold at least one item more than `used`. */
 static bool make_room(void **array, size_t used, size_t *room, size_t item) {
     if (used < *room) return true;
@@ -77,6 +89,7 @@ static bool make_room(void **array, size_t used, size_t *room, size_t item) {
     if (want > SIZE_MAX / item) return false;
     void *p = realloc(*array, want * item);
     if (!p) return false;
+    ask_huge_pages(p, want * item);
     *array = p;
     *room = want;
     return true;

@@ -21,6 +21,8 @@ typedef struct census {
 /* An empty census in mem (CENSUS_BYTES_MIN bytes or more; of them no more than are of use for so many ends). */
 void census_init(census_t *c, uint32_t *mem, size_t bytes, int32_t ends, int shift);
 void census_enter(census_t *c, page_point_t p);
+/* Asks the cache for what the other two read. */
+void census_fetch(const census_t *c, page_point_t p);
 /* Is certainly no other end within near_lat of p, which has been entered itself? near_lat <= 2^(shift - 1). */
 bool census_is_alone(const census_t *c, page_point_t p, int32_t near_lat);
 

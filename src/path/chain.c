@@ -11,9 +11,10 @@
  * full would touch memory that nothing else needs. */
 #define ROOM_PART 8
 #define ROOM_MORE 1024
-#define FREE (-1)  /* in mate, until chain_close: not paired */
-#define ALONE (-2) /* and nobody near */
-#define FETCH 12   /* ends that memory is asked for ahead */
+#define FREE (-1)       /* in mate, until chain_close: not paired */
+#define ALONE (-2)      /* and nobody near */
+#define FETCH_CENSUS 24 /* and for the census */
+#define FETCH 12        /* ends that memory is asked for ahead */
 #define STRAIGHT (1 << 29)
 #define UNIT_BITS 13 /* of direction vectors */
 _Static_assert((POOL_RUNS_MIN + 1) * 4 * sizeof(int32_t) >= CENSUS_BYTES_MIN, "the census lies over links and buckets");
@@ -77,6 +78,10 @@ int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near
     return lost;
 }
 
+static inline void fetch_census(const chain_t *c, const census_t *census, int32_t e) {
+    if (CONFIG_FETCH && e + FETCH_CENSUS < 2 * c->pool->n) census_fetch(census, c->point[e + FETCH_CENSUS]);
+}
+
 /* Marks those of the ends not marked yet ALONE that have certainly nobody near, counted in cells of 2^shift lat. The
  * census is taken in the memory of the links and buckets, which come after it. Returns how many are left. */
 static int32_t mark_alone(chain_t *c, int32_t left, int shift) {
@@ -84,9 +89,11 @@ static int32_t mark_alone(chain_t *c, int32_t left, int shift) {
     census_t census;
     census_init(&census, (uint32_t *)c->next, sizeof *c->next * 4 * (size_t)c->room, left, shift);
     for (int32_t e = 0; e < ends; e++) {
+        fetch_census(c, &census, e);
         if (mate[e] == FREE) census_enter(&census, c->point[e]);
     }
     for (int32_t e = 0; e < ends; e++) {
+        fetch_census(c, &census, e);
         if (mate[e] != FREE || !census_is_alone(&census, c->point[e], c->near_lat)) continue;
         mate[e] = ALONE;
         left--;
