@@ -3,18 +3,18 @@
 #include "path/census.h"
 #include "path/dist.h"
 
-#define CLUSTER_MAX 8         /* ends that are paired together: a grid node has four */
-#define SCAN_MAX 256          /* ends looked at in one bucket; more only where thousands crowd: then any will do */
-#define CELL_BITS 4           /* a cell is at least 2^4 tolerances wide, so most queries see a single cell */
-#define CENSUS_TWICE_MIN 4096 /* ends from which a second census pays */
+#define CLUSTER_MAX 8  /* ends that are paired together: a grid node has four */
+#define SCAN_MAX 256   /* ends looked at in one bucket; more only where thousands crowd: then any will do */
+#define CELL_BITS 4    /* a cell is at least 2^4 tolerances wide, so most queries see a single cell */
+#define CENSUS_FINER 3 /* the census counts in cells so many times halved: two tolerances wide at the least */
 /* What is worked in lies close together, with room for so many runs more that loop.h makes: a large pool that is not
  * full would touch memory that nothing else needs. */
 #define ROOM_PART 8
 #define ROOM_MORE 1024
 #define FREE (-1)       /* in mate, until chain_close: not paired */
 #define ALONE (-2)      /* and nobody near */
-#define FETCH_CENSUS 24 /* and for the census */
 #define FETCH 12        /* ends that memory is asked for ahead */
+#define FETCH_CENSUS 24 /* and for the census */
 #define STRAIGHT (1 << 29)
 #define UNIT_BITS 13 /* of direction vectors */
 _Static_assert((POOL_RUNS_MIN + 1) * 4 * sizeof(int32_t) >= CENSUS_BYTES_MIN, "the census lies over links and buckets");
@@ -82,39 +82,34 @@ static inline void fetch_census(const chain_t *c, const census_t *census, int32_
     if (CONFIG_FETCH && e + FETCH_CENSUS < 2 * c->pool->n) census_fetch(census, c->point[e + FETCH_CENSUS]);
 }
 
-/* Marks those of the ends not marked yet ALONE that have certainly nobody near, counted in cells of 2^shift lat. The
- * census is taken in the memory of the links and buckets, which come after it. Returns how many are left. */
-static int32_t mark_alone(chain_t *c, int32_t left, int shift) {
-    int32_t *mate = c->pool->mate, ends = 2 * c->pool->n;
+/* Marks the ends that have certainly nobody near ALONE, the others FREE. The census is taken in the memory of the links
+ * and buckets, which come after it. Returns how many are FREE. */
+static int32_t mark_alone(chain_t *c) {
+    pool_t *pool = c->pool;
+    const int32_t ends = 2 * pool->n;
+    int32_t left = 0;
     census_t census;
-    census_init(&census, (uint32_t *)c->next, sizeof *c->next * 4 * (size_t)c->room, left, shift);
+    census_init(&census, (uint32_t *)c->next, sizeof *c->next * 4 * (size_t)c->room, ends, c->shift - CENSUS_FINER);
     for (int32_t e = 0; e < ends; e++) {
         fetch_census(c, &census, e);
-        if (mate[e] == FREE) census_enter(&census, c->point[e]);
+        census_enter(&census, c->point[e]);
     }
     for (int32_t e = 0; e < ends; e++) {
         fetch_census(c, &census, e);
-        if (mate[e] != FREE || !census_is_alone(&census, c->point[e], c->near_lat)) continue;
-        mate[e] = ALONE;
-        left--;
+        const bool alone = census_is_alone(&census, c->point[e], c->near_lat);
+        pool->mate[e] = alone ? ALONE : FREE;
+        pool->run[e >> 1].to_hi &= ~RUN_SEEN;
+        left += !alone;
     }
     return left;
 }
 
-/* Enters the ends that may have a neighbour. Wide cells leave most of the others out, with few cells to look at and few
- * lines of the cache; narrow ones most of those that are left. */
+/* Enters the ends that may have a neighbour. */
 static void enter_all(chain_t *c) {
-    pool_t *pool = c->pool;
-    int32_t ends = 2 * pool->n;
-    for (int32_t r = 0; r < pool->n; r++) {
-        pool->mate[2 * r] = pool->mate[2 * r + 1] = FREE;
-        pool->run[r].to_hi &= ~RUN_SEEN;
-    }
-    int32_t entered = mark_alone(c, ends, c->shift - 1);
-    if (ends >= CENSUS_TWICE_MIN) entered = mark_alone(c, entered, c->shift - 2);
-    make_buckets(c, entered);
+    const int32_t ends = 2 * c->pool->n;
+    make_buckets(c, mark_alone(c));
     for (int32_t e = 0; e < ends; e++) {
-        if (pool->mate[e] == FREE) chain_enter(c, e, c->point[e]);
+        if (c->pool->mate[e] == FREE) chain_enter(c, e, c->point[e]);
     }
 }
 
