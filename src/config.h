@@ -24,7 +24,7 @@
 
 /* Surfaces or curves in one plot command: about 400 bytes each. */
 #ifndef CONFIG_PLOT_ITEMS
-#define CONFIG_PLOT_ITEMS 8
+#define CONFIG_PLOT_ITEMS 32
 #endif
 
 /* 0 leaves out solids, their kernels and haloed lines: 40 KB of flash. */

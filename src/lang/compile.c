@@ -38,6 +38,7 @@ typedef struct compiler {
     const expr_params_t *params;
     lang_error_t *err;
     bool columns;
+    bool calls;  /* a function of the user's */
     int pending; /* entries of stack in use */
     pending_t stack[CONFIG_NESTING];
 } compiler_t;
@@ -147,6 +148,29 @@ static int call(compiler_t *c, const char *name, uint32_t len, int32_t column) {
     return s < 0 ? s : open_new(c, P_USER, s, 1);
 }
 
+static bool is_iterated(const lang_t *l, int symbol) {
+#if CONFIG_CONTROL
+    for (int i = 0; i < l->iterations; i++)
+        if (l->iterated[i] == symbol) return true;
+#else
+    (void)l, (void)symbol;
+#endif
+    return false;
+}
+
+#if CONFIG_CONTROL
+/* Functions that are called may look at the variables of `for`: (i = 3, f(x)) in place of f(x). */
+static void set_iterated(emit_t *e) {
+    for (int i = 0; i < e->l->iterations; i++) {
+        emit_constant(e, e->l->symbol[e->l->iterated[i]].u.value);
+        emit_byte2(e, OP_SET, e->l->iterated[i]);
+        emit_byte(e, OP_POP);
+        emit_operated(e, 1, false, false);
+        e->depth--;
+    }
+}
+#endif
+
 /* Returns 1 when the name was a whole operand, 0 when one is still expected, or an error. */
 static int name(compiler_t *c) {
     lexer_t *lx = c->lx;
@@ -170,6 +194,10 @@ static int name(compiler_t *c) {
     if (assigned) {
         lexer_next(lx);
         return open_new(c, P_SET, s, 0);
+    }
+    if (is_iterated(c->e.l, s)) {
+        emit_constant(&c->e, c->e.l->symbol[s].u.value);
+        return 1;
     }
     emit_byte2(&c->e, OP_VAR, s);
     emit_pushed(&c->e, start, false);
@@ -247,6 +275,7 @@ static int close_call(compiler_t *c, pending_t p) {
                                    strlen(b->name));
     const bool degrees = builtin && c->e.l->degrees;
     if (degrees && (b->flags & BUILTIN_ANGLE)) convert_angle(c, OP_MUL);
+    c->calls |= !builtin;
     if (!builtin) {
         emit_byte3(&c->e, OP_CALL, p.a, p.at);
     } else if (b->real1) {
@@ -330,15 +359,32 @@ static int compile(compiler_t *c) {
     return 0;
 }
 
+static void begin(compiler_t *c, lang_t *l, lexer_t *lx, const expr_params_t *params, uint8_t *buf, size_t size,
+                  lang_error_t *err) {
+    *c = (compiler_t){.lx = lx, .params = params, .err = err};
+    c->e.l = l;
+    c->e.buf = buf;
+    c->e.size = size < UINT16_MAX ? size : UINT16_MAX;
+}
+
 int expr_compile(lang_t *l, lexer_t *lx, const expr_params_t *params, uint8_t *buf, size_t size, expr_t *out,
                  lang_error_t *err) {
     int count = params ? params->count : 0;
-    compiler_t c = {.lx = lx, .params = params, .err = err};
-    c.e.l = l;
-    c.e.buf = buf;
-    c.e.size = size < UINT16_MAX ? size : UINT16_MAX;
+    compiler_t c;
     uint16_t mark = l->symbols;
+    begin(&c, l, lx, params, buf, size, err);
+#if CONFIG_CONTROL
+    const lexer_t start = *lx;
+#endif
     int r = compile(&c);
+#if CONFIG_CONTROL
+    if (r == 0 && c.calls && l->iterations > 0) {
+        *lx = start;
+        begin(&c, l, lx, params, buf, size, err);
+        set_iterated(&c.e);
+        r = compile(&c);
+    }
+#endif
     if (r < 0) {
         names_release(l, mark);
         return r;

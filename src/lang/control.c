@@ -114,7 +114,7 @@ int control_range(session_t *s, lexer_t *lx, control_range_t *r) {
     if (r->symbol < 0) return r->symbol;
     r->was_defined = s->lang.symbol[r->symbol].defined;
     r->before = s->lang.symbol[r->symbol].u.value;
-    r->now = v[0];
+    r->first = r->now = v[0];
     r->last = v[1];
     r->step = v[2];
     return 0;

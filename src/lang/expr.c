@@ -23,24 +23,28 @@ int expr_fault(const lang_t *l, const lexer_t *at, lang_error_t *err) {
     return lang_error_set_name(err, l->fault.code, column, l->fault.text, name, len);
 }
 
-/* Does this code use rand() or assign; marks the functions that it calls. */
-static bool scan_impure(const uint8_t *code, uint16_t len, bool called[CONFIG_SYMBOLS]) {
+/* What is looked for in code: rand() and assignments, or a variable if symbol >= 0. Marks the functions that it calls.
+ */
+static bool scan(const uint8_t *code, uint16_t len, int symbol, bool called[CONFIG_SYMBOLS]) {
     for (const uint8_t *p = code; p < code + len; p += 1 + code_operands(*p)) {
+        if (*p == OP_CALL) called[p[1]] = true;
+        if (symbol >= 0 && *p == OP_VAR && p[1] == symbol) return true;
+        if (symbol >= 0) continue;
         if (*p == OP_SET) return true;
         if (*p == OP_FUNC && (BUILTINS[p[1]].flags & BUILTIN_IMPURE)) return true;
-        if (*p == OP_CALL) called[p[1]] = true;
     }
     return false;
 }
 
-bool expr_is_impure(const lang_t *l, const expr_t *e) {
+/* The same in what it calls, and so on. */
+static bool scan_all(const lang_t *l, const expr_t *e, int symbol) {
     bool called[CONFIG_SYMBOLS] = {false}, seen[CONFIG_SYMBOLS] = {false};
-    if (scan_impure(e->code, e->len, called)) return true;
+    if (scan(e->code, e->len, symbol, called)) return true;
     for (int i = 0; i < l->symbols;) {
         const symbol_t *s = &l->symbol[i];
         if (called[i] && !seen[i] && s->defined) {
             seen[i] = true;
-            if (scan_impure(l->pool + s->u.code.start, s->u.code.len, called)) return true;
+            if (scan(l->pool + s->u.code.start, s->u.code.len, symbol, called)) return true;
             i = 0; /* it may call functions that stand before it */
         } else {
             i++;
@@ -48,6 +52,16 @@ bool expr_is_impure(const lang_t *l, const expr_t *e) {
     }
     return false;
 }
+
+bool expr_is_impure(const lang_t *l, const expr_t *e) {
+    return scan_all(l, e, -1);
+}
+
+#if CONFIG_CONTROL
+bool expr_mentions(const lang_t *l, const expr_t *e, int symbol) {
+    return scan_all(l, e, symbol);
+}
+#endif
 
 int expr_value(lang_t *l, lexer_t *lx, value_t *out, lang_error_t *err) {
     lexer_t start = *lx;

@@ -62,6 +62,10 @@ int expr_fault(const lang_t *l, const lexer_t *at, lang_error_t *err);
 
 /* Can two evaluations with the same arguments differ: does it, or a function it calls, use rand() or assign? */
 bool expr_is_impure(const lang_t *l, const expr_t *e);
+#if CONFIG_CONTROL
+/* Does it, or a function it calls, look at this variable? */
+bool expr_mentions(const lang_t *l, const expr_t *e, int symbol);
+#endif
 
 /* Compiles, evaluates and forgets the expression at lx: for print and for the numbers in a `set`.
  * expr_value yields undefined values as such only if they are NaN; otherwise, and in the other two for any value that

@@ -105,8 +105,13 @@ static const topic_t topics[] = {
     {"data",
      "splot 'file' [matrix | nonuniform matrix] [index M[:N]] [every A:B:C:D:E:F] [skip N] [using 1:2:3]\n"
      "Rows x y z, isolines separated by a blank line, data sets by two; or rows of one z: x and y are then counted\n"
+#if CONFIG_PARAMETRIC
+     "from 0. NaN and ? are holes; # begins a comment. Points on no grid of x and y lines: facets where all isolines\n"
+     "have as many points, else lines. using 1:2:($3*2) computes from columns; using 1 takes one column of heights.\n"
+#else
      "from 0. Points must lie on a grid of x and y lines, spaced as they like. NaN and ? are holes; # begins a\n"
      "comment. using 1:2:($3*2) computes from columns; using 1 takes one column of heights.\n"
+#endif
      "help solids: OBJ files.\n"},
     {"sol$ids",
      "splot 'a.obj' [translate X,Y,Z] [rotate X,Y,Z] [scale S] [crease A], 'b.obj' ...\n"
@@ -120,6 +125,10 @@ static const topic_t topics[] = {
      "that gives back P percent of the light (help hatch)\n"
 #endif
     },
+#if CONFIG_CONTROL
+    {"loops", "do for [i=1:9:2] {...}    while (c) {...}    break    continue    if (c) {...} else {...}\n"
+              "splot for [i=1:3] i*x*y: one element for each value of i. Blocks may go over many lines.\n"},
+#endif
     {"fu$nctions",
      "abs acos asin atan atan2 besj0 besj1 ceil cos cosh erf exp floor gamma int invnorm log log10 max min norm\n"
      "rand real sgn sin sinh sqrt tan tanh; operators ** ! - + * / % << >> < <= > >= == != & ^ | && || ?:\n"

@@ -12,6 +12,9 @@ static const char *name_of(const lang_t *l, const symbol_t *s) {
 
 void names_reset(lang_t *l) {
     l->degrees = false;
+#if CONFIG_CONTROL
+    l->iterations = 0;
+#endif
     /* The largest part is left as it is: pool and stack are never read before they are written. */
     l->symbols = 0;
     l->bodies_end = 0;

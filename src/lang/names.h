@@ -37,6 +37,8 @@ typedef struct symbol {
     } u;
 } symbol_t;
 
+#define LANG_ITERATED 3 /* most `for` in front of one another */
+
 typedef struct lang_call {
     const uint8_t *pc; /* where the caller goes on */
     uint16_t base;     /* the caller's first argument on the stack */
@@ -47,8 +49,12 @@ typedef struct lang {
     uint16_t symbols;     /* in use */
     uint16_t bodies_end;  /* function bodies: pool[0 .. bodies_end) */
     uint16_t names_start; /* names: pool[names_start .. CONFIG_POOL) */
-    bool degrees;         /* what is compiled from now on measures angles in degrees */
-    int32_t seed[2];      /* rand(); seed[0] == 0: not started. Any bits will do as a seed */
+#if CONFIG_CONTROL
+    uint8_t iterated[LANG_ITERATED]; /* variables that `for` goes through now: what is compiled takes their values */
+    uint8_t iterations;              /* of them */
+#endif
+    bool degrees;    /* what is compiled from now on measures angles in degrees */
+    int32_t seed[2]; /* rand(); seed[0] == 0: not started. Any bits will do as a seed */
     /* Columns of the data line at hand, for $1 and column(1) in a using expression; NULL elsewhere. */
     value_t (*column)(void *ctx, int32_t n);
     void *column_ctx;

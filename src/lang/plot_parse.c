@@ -131,6 +131,9 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
 #if CONFIG_AREA
     src->smooth_q30 = plot_options_cosine(num_mul(num_from_i64(s->settings.crease_mdeg), num_from_decimal(1, -3)));
 #endif
+#if CONFIG_CONTROL
+    src->iterated = s->lang.iterations > 0;
+#endif
     data_spec_default(&src->spec);
     src->spec.separator = s->separator;
     src->title = lexer_text(lx);
@@ -151,7 +154,8 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
         if (!err) err = plot_options_data(s, lx, src);
         if (!err) err = moves(s, lx, src);
 #endif
-    } else if (lexer_is_name(lx, "for") || lexer_is_name(lx, "keyentry") || lexer_is_name(lx, "sample")) {
+    } else if ((!CONFIG_CONTROL && lexer_is_name(lx, "for")) || lexer_is_name(lx, "keyentry") ||
+               lexer_is_name(lx, "sample")) {
         return lang_error_set_name(&s->error, ERR_UNSUPPORTED, lexer_column(lx), "not supported", lexer_text(lx),
                                    lx->tok.len);
     } else {
@@ -182,12 +186,22 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
     return 0;
 }
 
+int plot_element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_params_t *params) {
+    if (s->plot.sources == CONFIG_PLOT_ITEMS)
+        return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "too much for one plot; most elements",
+                                     CONFIG_PLOT_ITEMS);
+    return element(s, lx, kind, params);
+}
+
 int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind) {
     lexer_t word = *lx;
     expr_params_t params = {0};
     s->plot.kind = kind;
     s->plot.sources = 0;
     s->plot.code_len = 0;
+#if CONFIG_CONTROL
+    s->plot.iterations = s->lang.iterations = 0;
+#endif
     if (s->logscale)
         return session_fail(s, lx, ERR_UNSUPPORTED, "logarithmic axes are not supported; draw log10() of it");
     int err = ranges(s, lx, kind, &params);
@@ -201,15 +215,19 @@ int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind) {
         if (defined && s->plot.sources > 0) /* it would hold for the elements before it too */
             return session_fail(s, &at, ERR_UNSUPPORTED, "definitions belong in front of the first element");
         if (defined) continue;
-        if (s->plot.sources == CONFIG_PLOT_ITEMS)
-            return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "too much for one plot; most elements",
-                                         CONFIG_PLOT_ITEMS);
-        err = element(s, lx, kind, &params);
+#if CONFIG_CONTROL
+        err = lexer_is_name(lx, "for") ? plot_iteration(s, lx, kind, &params) : plot_element(s, lx, kind, &params);
+#else
+        err = plot_element(s, lx, kind, &params);
+#endif
         if (err) return err;
     } while (lexer_accept(lx, ','));
     err = session_expect_end(s, lx);
     if (err) return err;
     if (s->plot.sources == 0) return session_fail(s, &word, ERR_SYNTAX, "an expression or a file to draw expected");
+#if CONFIG_CONTROL
+    err = plot_iteration_check(s);
+#endif
     for (int32_t k = 0; k < s->plot.sources && !err; k++) {
         const session_source_t *src = &s->plot.source[k];
         if (src->kind == SOURCE_EXPR && !src->parametric) err = try_out(s, src);

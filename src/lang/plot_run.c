@@ -84,6 +84,9 @@ static int go_on(session_t *s) {
     }
     s->plot.valid = s->plot.sources;
     int err = draw(s);
+#if CONFIG_CONTROL
+    plot_iteration_end(s);
+#endif
     if (err) return err;
     s->last_len = strlen(s->last);
     s->in_last = false;

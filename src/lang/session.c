@@ -55,6 +55,9 @@ void session_cancel(session_t *s) {
     session_forget_line(&s->frame[0]);
     if (s->in_last) s->last[s->last_len] = '\0'; /* what replot added is wrong */
     s->plot.waiting = false;
+#if CONFIG_CONTROL
+    plot_iteration_end(s);
+#endif
     s->rows_left = false;
 #if CONFIG_LOAD_DEPTH
     s->in_block = false;

@@ -56,7 +56,7 @@ typedef struct control_range {
     int symbol;
     bool was_defined; /* before; then */
     value_t before;
-    int64_t now, last, step;
+    int64_t first, now, last, step;
 } control_range_t;
 
 /* A block being executed; places are those of the logical line. */
@@ -106,6 +106,9 @@ typedef struct session_source {
     lexer_t name;    /* at the file's name, or at the expression */
     const char *title;
     int32_t title_len;
+#if CONFIG_CONTROL
+    bool iterated; /* stands behind `for` */
+#endif
     expr_t expr;    /* of the element */
     expr_t part[3]; /* of using; of a parametric surface */
     data_spec_t spec;
@@ -167,6 +170,10 @@ typedef struct session {
         range_t range[3]; /* given in the command, or as set */
 #if CONFIG_PARAMETRIC
         range_t uv[2]; /* so too */
+#endif
+#if CONFIG_CONTROL
+        control_range_t iterated[CONFIG_BLOCKS]; /* by `for`: functions may change these until all is drawn */
+        int32_t iterations;
 #endif
         size_t code_len;
         session_source_t source[CONFIG_PLOT_ITEMS];

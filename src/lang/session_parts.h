@@ -129,6 +129,14 @@ int block_line(session_t *s, const char *text, size_t n);
 
 /* plot_parse.c: the whole command becomes s->plot.source[]; nothing is read or drawn. lx: behind the command's word. */
 int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind);
+/* One element, appended to them. plot_iteration.c: with `for` in front; is no variable of theirs used elsewhere; the
+ * variables have what they had. */
+int plot_element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_params_t *params);
+#if CONFIG_CONTROL
+int plot_iteration(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_params_t *params);
+int plot_iteration_check(session_t *s);
+void plot_iteration_end(session_t *s);
+#endif
 /* plot_data.c: start reading the data of src; characters of them (*stopped: the line `e` was among them); the data of
  * source[next] are complete; the reader's error, in the data's own lines; a whole file. */
 int plot_data_start(session_t *s, session_source_t *src, bool inline_data, int32_t first_line);

@@ -101,4 +101,26 @@ if (1) { if (1) { if (1) { if (1) { if (1) { if (1) { if (1) { if (1) { if (1) {
 END
 }
 
-run_tests blocks_do_what_gnuplot_does alternatives_may_follow_each_other every_plot_in_a_loop_is_a_page errors_name_the_line_of_the_block
+elements_for_each_value() {
+    draw() { printf 'set isosamples 9; f(x) = a*x; g(x) = f(x) + b\n%s\n' "$1" | timeout 20 "$RIDGELINE" plot - -o "$2"; }
+    draw 'splot for [a=1:3] a*x+4*y+a*x*y' one.seg
+    draw 'splot x+4*y+x*y, 2*x+4*y+2*x*y, 3*x+4*y+3*x*y' two.seg
+    cmp one.seg two.seg
+    # functions that look at the variable, two variables, downwards; the variables are what they were
+    draw 'a = 7; splot for [a=3:1:-2] for [b=0:1] g(x)+y, 7*y; print a' one.seg >printed
+    draw 'p(x,y) = x; splot 3*x+y, 3*x+1+y, x+y, x+1+y, 7*y' two.seg
+    cmp one.seg two.seg
+    [ "$(cat printed)" = 7 ]
+    printf '0 0 1\n0 1 2\n\n1 0 3\n1 1 5\n' >d
+    printf 'f(z) = k*z; splot for [k=1:3] "d" using 1:2:(f($3)+k)\n' | timeout 20 "$RIDGELINE" plot - -o one.seg
+    printf 'splot "d" using 1:2:($3+1), "d" using 1:2:(2*$3+2), "d" using 1:2:(3*$3+3)\n' | timeout 20 "$RIDGELINE" plot - -o two.seg
+    cmp one.seg two.seg
+    echo 'f(x) = a*x; a = 7; splot for [a=1:3] f(x)+y, f(y)' >a.gp
+    expect_status 2 ours a.gp 2>err
+    expect_text err 'column 46: this uses a variable that `for` changes elsewhere'
+    echo 'splot for [i=1:99] i*x' >a.gp
+    expect_status 2 ours a.gp 2>err
+    expect_text err 'too much for one plot; most elements: 32'
+}
+
+run_tests elements_for_each_value blocks_do_what_gnuplot_does alternatives_may_follow_each_other every_plot_in_a_loop_is_a_page errors_name_the_line_of_the_block
