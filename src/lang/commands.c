@@ -80,7 +80,7 @@ static int exit_command(session_t *s, lexer_t *lx) {
 static int named_command(session_t *s, lexer_t *lx, int index) {
     lexer_t word = *lx;
     lexer_next(lx);
-    switch (words_command[index].id) {
+    switch (words_command_id[index]) {
 #if CONFIG_CONTROL
     case CMD_CONTROL:
         return control_command(s, lx, &word);

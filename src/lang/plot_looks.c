@@ -17,7 +17,7 @@ static int with(session_t *s, lexer_t *lx) {
         return lang_error_set_name(&s->error, ERR_NAME, lexer_column(lx), "unknown way to draw", lexer_text(lx),
                                    lx->tok.len);
     }
-    if (words_style[index].id != STYLE_LINES)
+    if (words_style_id[index] != STYLE_LINES)
         session_warn_once(s, s->warned_command, WORDS_WARNED_STYLE, "with ", lx, " is drawn with lines");
     lexer_next(lx);
     return 0;
@@ -25,8 +25,7 @@ static int with(session_t *s, lexer_t *lx) {
 
 /* A colour: rgb "name", palette ..., variable, a word, or a number. */
 static int colour(session_t *s, lexer_t *lx) {
-    static const word_t alone[] = {{"var$iable", 0}, {"bgnd", 0},     {"black", 0},
-                                   {"nodraw", 0},    {"pal$ette", 0}, {NULL, 0}};
+    static const char alone[] = "var$iable\0bgnd\0black\0nodraw\0pal$ette\0";
     num_t number;
     if (words_find(alone, lx) >= 0) {
         lexer_next(lx);
@@ -63,25 +62,70 @@ static int dash(session_t *s, lexer_t *lx) {
 }
 
 enum look { LOOK_COLOUR, LOOK_DASH, LOOK_NUMBER, LOOK_SIZE, LOOK_PAIR, LOOK_FILL, LOOK_WORD, LOOK_NAME };
-static const word_t look_words[] = {
-    {"lt", LOOK_COLOUR},        {"linet$ype", LOOK_COLOUR},  {"lc", LOOK_COLOUR},       {"linec$olor", LOOK_COLOUR},
-    {"dt", LOOK_DASH},          {"dasht$ype", LOOK_DASH},    {"lw", LOOK_NUMBER},       {"linew$idth", LOOK_NUMBER},
-    {"ls", LOOK_NUMBER},        {"lines$tyle", LOOK_NUMBER}, {"ps", LOOK_SIZE},         {"points$ize", LOOK_SIZE},
-    {"pt", LOOK_SIZE},          {"pointt$ype", LOOK_SIZE},   {"pi", LOOK_NUMBER},       {"pointi$nterval", LOOK_NUMBER},
-    {"nohidden$3d", LOOK_WORD}, {"nocon$tours", LOOK_WORD},  {"nosur$face", LOOK_WORD}, {"noenh$anced", LOOK_WORD},
-    {"enh$anced", LOOK_WORD},   {"pal$ette", LOOK_WORD},     {"ax$es", LOOK_NAME},
 #if CONFIG_LOAD_DEPTH
-    {"fc", LOOK_COLOUR},        {"fillc$olor", LOOK_COLOUR}, {"tc", LOOK_COLOUR},       {"textc$olor", LOOK_COLOUR},
-    {"fs", LOOK_FILL},          {"fill$style", LOOK_FILL},   {"as", LOOK_NUMBER},       {"arrows$tyle", LOOK_NUMBER},
-    {"font", LOOK_NAME},        {"off$set", LOOK_PAIR},      {"rot$ate", LOOK_WORD},    {"by", LOOK_NUMBER},
-    {"size", LOOK_PAIR},        {"left", LOOK_WORD},         {"right", LOOK_WORD},      {"cen$ter", LOOK_WORD},
-    {"box$ed", LOOK_WORD},      {"nohead", LOOK_WORD},       {"head$s", LOOK_WORD},     {"backhead", LOOK_WORD},
-    {"filled", LOOK_WORD},      {"nofilled", LOOK_WORD},     {"empty", LOOK_WORD},      {"fixed", LOOK_WORD},
-    {"point", LOOK_WORD},       {"closed", LOOK_WORD},       {"above", LOOK_WORD},      {"below", LOOK_WORD},
-    {"hyper$text", LOOK_WORD},  {"zsort", LOOK_WORD},        {"pixels", LOOK_WORD},     {"units", LOOK_NAME},
+#define MORE_LOOKS(WORD)                                                                                               \
+    WORD("fc", LOOK_COLOUR)                                                                                            \
+    WORD("fillc$olor", LOOK_COLOUR)                                                                                    \
+    WORD("tc", LOOK_COLOUR)                                                                                            \
+    WORD("textc$olor", LOOK_COLOUR)                                                                                    \
+    WORD("fs", LOOK_FILL)                                                                                              \
+    WORD("fill$style", LOOK_FILL)                                                                                      \
+    WORD("as", LOOK_NUMBER)                                                                                            \
+    WORD("arrows$tyle", LOOK_NUMBER)                                                                                   \
+    WORD("font", LOOK_NAME)                                                                                            \
+    WORD("off$set", LOOK_PAIR)                                                                                         \
+    WORD("rot$ate", LOOK_WORD)                                                                                         \
+    WORD("by", LOOK_NUMBER)                                                                                            \
+    WORD("size", LOOK_PAIR)                                                                                            \
+    WORD("left", LOOK_WORD)                                                                                            \
+    WORD("right", LOOK_WORD)                                                                                           \
+    WORD("cen$ter", LOOK_WORD)                                                                                         \
+    WORD("box$ed", LOOK_WORD)                                                                                          \
+    WORD("nohead", LOOK_WORD)                                                                                          \
+    WORD("head$s", LOOK_WORD)                                                                                          \
+    WORD("backhead", LOOK_WORD)                                                                                        \
+    WORD("filled", LOOK_WORD)                                                                                          \
+    WORD("nofilled", LOOK_WORD)                                                                                        \
+    WORD("empty", LOOK_WORD)                                                                                           \
+    WORD("fixed", LOOK_WORD)                                                                                           \
+    WORD("point", LOOK_WORD)                                                                                           \
+    WORD("closed", LOOK_WORD)                                                                                          \
+    WORD("above", LOOK_WORD)                                                                                           \
+    WORD("below", LOOK_WORD)                                                                                           \
+    WORD("hyper$text", LOOK_WORD)                                                                                      \
+    WORD("zsort", LOOK_WORD)                                                                                           \
+    WORD("pixels", LOOK_WORD)                                                                                          \
+    WORD("units", LOOK_NAME)
+#else
+#define MORE_LOOKS(WORD)
 #endif
-    {NULL, LOOK_WORD},
-};
+#define LOOKS(WORD)                                                                                                    \
+    WORD("lt", LOOK_COLOUR)                                                                                            \
+    WORD("linet$ype", LOOK_COLOUR)                                                                                     \
+    WORD("lc", LOOK_COLOUR)                                                                                            \
+    WORD("linec$olor", LOOK_COLOUR)                                                                                    \
+    WORD("dt", LOOK_DASH)                                                                                              \
+    WORD("dasht$ype", LOOK_DASH)                                                                                       \
+    WORD("lw", LOOK_NUMBER)                                                                                            \
+    WORD("linew$idth", LOOK_NUMBER)                                                                                    \
+    WORD("ls", LOOK_NUMBER)                                                                                            \
+    WORD("lines$tyle", LOOK_NUMBER)                                                                                    \
+    WORD("ps", LOOK_SIZE)                                                                                              \
+    WORD("points$ize", LOOK_SIZE)                                                                                      \
+    WORD("pt", LOOK_SIZE)                                                                                              \
+    WORD("pointt$ype", LOOK_SIZE)                                                                                      \
+    WORD("pi", LOOK_NUMBER)                                                                                            \
+    WORD("pointi$nterval", LOOK_NUMBER)                                                                                \
+    WORD("nohidden$3d", LOOK_WORD)                                                                                     \
+    WORD("nocon$tours", LOOK_WORD)                                                                                     \
+    WORD("nosur$face", LOOK_WORD)                                                                                      \
+    WORD("noenh$anced", LOOK_WORD)                                                                                     \
+    WORD("enh$anced", LOOK_WORD)                                                                                       \
+    WORD("pal$ette", LOOK_WORD)                                                                                        \
+    WORD("ax$es", LOOK_NAME)                                                                                           \
+    MORE_LOOKS(WORD)
+static const char look_words[] = LOOKS(WORDS_PATTERN);
+static const uint8_t look_words_id[] = {LOOKS(WORDS_ID)};
 
 #if CONFIG_LOAD_DEPTH
 /* Numbers between commas, each perhaps behind the name of its coordinates: 0,1 or character 1,0. */
@@ -99,8 +143,7 @@ static int pair(session_t *s, lexer_t *lx) {
 
 /* solid 0.5, pattern 2, border lt 3 and the like. */
 static int fill(session_t *s, lexer_t *lx) {
-    static const word_t words[] = {{"tr$ansparent", 0}, {"s$olid", 0},    {"p$attern", 0}, {"em$pty", 0},
-                                   {"bo$rder", 0},      {"nobo$rder", 0}, {NULL, 0}};
+    static const char words[] = "tr$ansparent\0s$olid\0p$attern\0em$pty\0bo$rder\0nobo$rder\0";
     num_t number;
     while (words_find(words, lx) >= 0 || lx->tok.kind == TOKEN_NUMBER) {
         int err = 0;
@@ -164,7 +207,7 @@ int plot_options_style(session_t *s, lexer_t *lx, session_source_t *src) {
             if (!err) err = with(s, lx);
         } else if ((index = words_find(look_words, lx)) >= 0) {
             lexer_next(lx);
-            err = look(s, lx, (enum look)look_words[index].id);
+            err = look(s, lx, (enum look)look_words_id[index]);
         } else {
             return 0;
         }

@@ -41,16 +41,14 @@ static int translucent(session_t *s, lexer_t *lx, char *names) {
 #endif
 
 int plot_options_moves(session_t *s, lexer_t *lx, affine_t *a, session_source_t *src, char *names) {
-    static const word_t words[] = {
-        {"translate", 0},
-        {"rotate", 1},
-        {"scale", 2},
-        {"crease", 3},
+    static const char words[] = "translate\0"
+                                "rotate\0"
+                                "scale\0"
+                                "crease\0"
 #if CONFIG_AREA
-        {"transl$ucent", 4},
+                                "transl$ucent\0"
 #endif
-        {NULL, 0}
-    };
+        ;
 #if !CONFIG_AREA
     (void)names;
 #endif

@@ -103,8 +103,7 @@ static int every_option(session_t *s, lexer_t *lx, data_spec_t *spec) {
 }
 
 int plot_options_data(session_t *s, lexer_t *lx, session_source_t *src) {
-    static const word_t other[] = {{"bin$ary", 0}, {"smooth", 0}, {"s$mooth", 0}, {"mask", 0}, {"zsort", 0},
-                                   {"bins", 0},    {"array", 0},  {"rec$ord", 0}, {NULL, 0}};
+    static const char other[] = "bin$ary\0smooth\0s$mooth\0mask\0zsort\0bins\0array\0rec$ord\0";
     bool seen_using = false, seen_index = false, seen_every = false, seen_matrix = false;
     const int32_t begin = lexer_column(lx);
     for (;;) {

@@ -140,7 +140,7 @@ int set_command(session_t *s, lexer_t *lx) {
     if (index < 0) return index;
     settings_t *set = &s->settings;
     lexer_next(lx);
-    switch (words_set[index].id) {
+    switch (words_set_id[index]) {
     case SET_ANGLES:
         return set_angles(s, lx);
     case SET_AUTOSCALE:
@@ -189,7 +189,7 @@ int set_command(session_t *s, lexer_t *lx) {
         return session_expect_end(s, lx);
     case SET_URANGE:
     case SET_VRANGE:
-        return set_range_option(s, lx, &s->uv[words_set[index].id == SET_VRANGE]);
+        return set_range_option(s, lx, &s->uv[words_set_id[index] == SET_VRANGE]);
 #endif
     case SET_XYPLANE:
     case SET_TICSLEVEL:
@@ -204,8 +204,8 @@ int set_command(session_t *s, lexer_t *lx) {
     case SET_XTICS:
     case SET_YTICS:
     case SET_ZTICS:
-        set->tics |= set_tics_of(words_set[index].id);
-        if (words_set[index].id == SET_BORDER) {
+        set->tics |= set_tics_of(words_set_id[index]);
+        if (words_set_id[index] == SET_BORDER) {
             int err = set_border(s, lx);
             if (err) return err;
         } /* fall through */
@@ -218,12 +218,12 @@ int set_command(session_t *s, lexer_t *lx) {
     case SET_VRANGE:
 #endif
     case SET_FUNCTIONS: /* set function style, long gone from gnuplot */
-        if (words_set[index].id == SET_LOGSCALE && is_of_xyz(lx)) {
+        if (words_set_id[index] == SET_LOGSCALE && is_of_xyz(lx)) {
             session_skip(lx);
             s->logscale = true; /* a picture without it would be another one: plots are refused */
             return 0;
         }
-        if (words_set[index].id != SET_LOGSCALE) set_axes(s, words_set[index].id, true);
+        if (words_set_id[index] != SET_LOGSCALE) set_axes(s, words_set_id[index], true);
         session_warn_once(s, s->warned_set, index, "set ", &word, " is ignored");
         session_skip(lx);
         return 0;

@@ -6,13 +6,8 @@
 #define TEXT_OF(n) #n
 #define DIGITS_OF(n) TEXT_OF(n)
 
-static const word_t classes[] = {{"crease$s", LINE_CREASE},
-                                 {"silhouette$s", LINE_SILHOUETTE},
-                                 {"hid$den", LINE_HIDDEN},
-                                 {"hatch$ing", LINE_HATCH},
-                                 {"shadow$s", LINE_SHADOW},
-                                 {"detail$s", LINE_DETAIL},
-                                 {NULL, 0}};
+static const char classes[] = "crease$s\0silhouette$s\0hid$den\0hatch$ing\0shadow$s\0detail$s\0";
+static const uint8_t classes_id[] = {LINE_CREASE, LINE_SILHOUETTE, LINE_HIDDEN, LINE_HATCH, LINE_SHADOW, LINE_DETAIL};
 
 const char *set_pen_class(int k) {
     static const char *const name[LINE_CLASSES] = {"crease", "silhouette", "hidden", "hatch", "shadow", "detail"};
@@ -39,7 +34,7 @@ int set_pen(session_t *s, lexer_t *lx) {
             lexer_next(lx);
             int err = set_integer(s, lx, 1, PENS_MAX, &n, range);
             if (err) return err;
-            pen[classes[which].id] = (uint8_t)n;
+            pen[classes_id[which]] = (uint8_t)n;
             lexer_accept(lx, ',');
         } while (!session_at_end(lx));
     }

@@ -2,11 +2,8 @@
 #include "lang/session_parts.h"
 
 /* Options of a text's looks: known, and without a meaning for a pen. */
-static const word_t looks[] = {
-    {"off$set", 0},     {"font", 0},    {"tc", 0},        {"textcolor", 0}, {"enh$anced", 0},
-    {"noenh$anced", 0}, {"rot$ate", 0}, {"norot$ate", 0}, {"l$eft", 0},     {"r$ight", 0},
-    {"c$enter", 0},     {"boxed", 0},   {"opaque", 0},    {NULL, 0},
-};
+static const char looks[] =
+    "off$set\0font\0tc\0textcolor\0enh$anced\0noenh$anced\0rot$ate\0norot$ate\0l$eft\0r$ight\0c$enter\0boxed\0opaque\0";
 
 int set_title(session_t *s, lexer_t *lx) {
     char title[SETTINGS_TITLE_MAX] = "";

@@ -83,7 +83,7 @@ static int view_equal(session_t *s, lexer_t *lx) {
 }
 
 int set_view(session_t *s, lexer_t *lx) {
-    static const word_t ignored[] = {{"azi$muth", 0}, {"proj$ection", 0}, {NULL, 0}};
+    static const char ignored[] = "azi$muth\0proj$ection\0";
     if (lexer_is_name(lx, "from")) {
         lexer_next(lx);
         return view_from(s, lx);
@@ -111,14 +111,12 @@ static void warn_ignored(session_t *s, const char *word) {
 
 int set_hidden3d(session_t *s, lexer_t *lx) {
     /* gnuplot's own options choose colours, triangle diagonals and undefined points; the last four take a number. */
-    static const word_t taken[] = {{"def$aults", 0},  {"fr$ont", 0},      {"ba$ck", 0},
-                                   {"nooff$set", 0},  {"altdiagonal", 0}, {"noalt$diagonal", 0},
-                                   {"bentover", 0},   {"nobent$over", 0}, {"noundef$ined", 0},
-                                   {"offset", 1},     {"off$set", 1},     {"tri$anglepattern", 1},
-                                   {"undef$ined", 1}, {NULL, 0}};
+    static const char taken[] = "def$aults\0fr$ont\0ba$ck\0nooff$set\0altdiagonal\0noalt$diagonal\0bentover\0nobent$"
+                                "over\0noundef$ined\0offset\0off$set\0tri$anglepattern\0undef$ined\0";
+    static const uint8_t taken_id[] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1};
     enum hidden_mode mode = HIDDEN_PERIMETER;
-    static const word_t solids[] = {
-        {"conv$ex", HIDDEN_CONVEX}, {"halo", HIDDEN_HALO}, {"area", HIDDEN_AREA}, {NULL, 0}};
+    static const char solids[] = "conv$ex\0halo\0area\0";
+    static const uint8_t solids_id[] = {HIDDEN_CONVEX, HIDDEN_HALO, HIDDEN_AREA};
     bool infinite = false;
     int word;
     if (lexer_is_almost(lx, "peri$meter")) {
@@ -133,12 +131,12 @@ int set_hidden3d(session_t *s, lexer_t *lx) {
         mode = HIDDEN_NONE;
     } else if ((word = words_find(solids, lx)) >= 0) {
         lexer_next(lx);
-        mode = (enum hidden_mode)solids[word].id;
+        mode = (enum hidden_mode)solids_id[word];
     } else if (!lexer_is_almost(lx, "dash$ed") && !lexer_is_almost(lx, "out$line") &&
                !lexer_is_almost(lx, "silh$ouette") && !lexer_is_almost(lx, "seam$s")) {
         for (int i; (i = words_find(taken, lx)) >= 0;) {
             lexer_next(lx);
-            if (taken[i].id == 0) continue;
+            if (taken_id[i] == 0) continue;
             num_t number;
             int err = expr_number(&s->lang, lx, &number, &s->error);
             if (err) return err;

@@ -233,7 +233,7 @@ int show_command(session_t *s, lexer_t *lx) {
                                    lx->tok.len);
     }
     lexer_next(lx);
-    uint8_t id = words_set[index].id;
+    uint8_t id = words_set_id[index];
     if (id == SET_IGNORED || id == SET_POLAR || id == SET_LOGSCALE ||
         (!CONFIG_PARAMETRIC && (id == SET_PARAMETRIC || id == SET_URANGE || id == SET_VRANGE))) {
         session_warn_once(s, s->warned_set, index, "show ", &word, ": this option is ignored here");

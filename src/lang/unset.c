@@ -8,7 +8,7 @@ int set_unset_command(session_t *s, lexer_t *lx) {
     settings_t *set = &s->settings;
     settings_t fresh;
     lexer_next(lx);
-    uint8_t id = words_set[index].id;
+    uint8_t id = words_set_id[index];
     if (set_axes(s, id, false)) {
         session_skip(lx);
         return 0;

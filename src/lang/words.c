@@ -18,10 +18,10 @@ bool words_match(const char *pattern, const char *text, size_t len) {
     return i == len;
 }
 
-int words_find(const word_t *table, const lexer_t *lx) {
+int words_find(const char *table, const lexer_t *lx) {
     if (lx->tok.kind != TOKEN_NAME) return -1;
-    for (int i = 0; table[i].pattern; i++)
-        if (words_match(table[i].pattern, lexer_text(lx), lx->tok.len)) return i;
+    for (int i = 0; *table; i++, table += strlen(table) + 1)
+        if (words_match(table, lexer_text(lx), lx->tok.len)) return i;
     return -1;
 }
 
@@ -30,285 +30,279 @@ int words_find(const word_t *table, const lexer_t *lx) {
 #else
 #define CONTROL CMD_UNSUPPORTED
 #endif
-const word_t words_command[] = {
-    {"array", CMD_UNSUPPORTED},
-    {"bi$nd", CMD_IGNORED},
-    {"break", CONTROL},
-    {"ca$ll", CMD_UNSUPPORTED},
-    {"cd", CMD_UNSUPPORTED},
-    {"cl$ear", CMD_IGNORED},
-    {"continue", CONTROL},
-    {"do", CONTROL},
-    {"eval$uate", CMD_UNSUPPORTED},
-    {"ex$it", CMD_EXIT},
-    {"f$it", CMD_UNSUPPORTED},
-    {"h$elp", CMD_HELP},
-    {"hi$story", CMD_IGNORED},
-    {"if", CONTROL},
-    {"import", CMD_UNSUPPORTED},
-    {"else", CONTROL},
-    {"l$oad", CMD_LOAD},
-    {"low$er", CMD_IGNORED},
-    {"pa$use", CMD_PAUSE},
-    {"p$lot", CMD_PLOT},
-    {"pr$int", CMD_PRINT},
-    {"printerr$or", CMD_PRINT},
-    {"pwd", CMD_IGNORED},
-    {"q$uit", CMD_EXIT},
-    {"ra$ise", CMD_IGNORED},
-    {"ref$resh", CMD_REPLOT},
-    {"rep$lot", CMD_REPLOT},
-    {"re$read", CMD_UNSUPPORTED},
-    {"res$et", CMD_RESET},
-    {"sa$ve", CMD_UNSUPPORTED},
-    {"scr$eendump", CMD_IGNORED},
-    {"se$t", CMD_SET},
-    {"she$ll", CMD_UNSUPPORTED},
-    {"sh$ow", CMD_SHOW},
-    {"sp$lot", CMD_SPLOT},
-    {"st$ats", CMD_UNSUPPORTED},
-    {"sy$stem", CMD_UNSUPPORTED},
-    {"test", CMD_IGNORED},
-    {"tog$gle", CMD_IGNORED},
-    {"und$efine", CMD_IGNORED},
-    {"uns$et", CMD_UNSET},
-    {"up$date", CMD_IGNORED},
-    {"vclear", CMD_UNSUPPORTED},
-    {"vfill", CMD_UNSUPPORTED},
-    {"voxel", CMD_UNSUPPORTED},
-    {"while", CONTROL},
-    {NULL, CMD_IGNORED},
-};
-_Static_assert(sizeof words_command / sizeof words_command[0] <= WORDS_WARNED_STYLE, "a warning bit for each");
+#define COMMANDS(WORD)                                                                                                 \
+    WORD("array", CMD_UNSUPPORTED)                                                                                     \
+    WORD("bi$nd", CMD_IGNORED)                                                                                         \
+    WORD("break", CONTROL)                                                                                             \
+    WORD("ca$ll", CMD_UNSUPPORTED)                                                                                     \
+    WORD("cd", CMD_UNSUPPORTED)                                                                                        \
+    WORD("cl$ear", CMD_IGNORED)                                                                                        \
+    WORD("continue", CONTROL)                                                                                          \
+    WORD("do", CONTROL)                                                                                                \
+    WORD("eval$uate", CMD_UNSUPPORTED)                                                                                 \
+    WORD("ex$it", CMD_EXIT)                                                                                            \
+    WORD("f$it", CMD_UNSUPPORTED)                                                                                      \
+    WORD("h$elp", CMD_HELP)                                                                                            \
+    WORD("hi$story", CMD_IGNORED)                                                                                      \
+    WORD("if", CONTROL)                                                                                                \
+    WORD("import", CMD_UNSUPPORTED)                                                                                    \
+    WORD("else", CONTROL)                                                                                              \
+    WORD("l$oad", CMD_LOAD)                                                                                            \
+    WORD("low$er", CMD_IGNORED)                                                                                        \
+    WORD("pa$use", CMD_PAUSE)                                                                                          \
+    WORD("p$lot", CMD_PLOT)                                                                                            \
+    WORD("pr$int", CMD_PRINT)                                                                                          \
+    WORD("printerr$or", CMD_PRINT)                                                                                     \
+    WORD("pwd", CMD_IGNORED)                                                                                           \
+    WORD("q$uit", CMD_EXIT)                                                                                            \
+    WORD("ra$ise", CMD_IGNORED)                                                                                        \
+    WORD("ref$resh", CMD_REPLOT)                                                                                       \
+    WORD("rep$lot", CMD_REPLOT)                                                                                        \
+    WORD("re$read", CMD_UNSUPPORTED)                                                                                   \
+    WORD("res$et", CMD_RESET)                                                                                          \
+    WORD("sa$ve", CMD_UNSUPPORTED)                                                                                     \
+    WORD("scr$eendump", CMD_IGNORED)                                                                                   \
+    WORD("se$t", CMD_SET)                                                                                              \
+    WORD("she$ll", CMD_UNSUPPORTED)                                                                                    \
+    WORD("sh$ow", CMD_SHOW)                                                                                            \
+    WORD("sp$lot", CMD_SPLOT)                                                                                          \
+    WORD("st$ats", CMD_UNSUPPORTED)                                                                                    \
+    WORD("sy$stem", CMD_UNSUPPORTED)                                                                                   \
+    WORD("test", CMD_IGNORED)                                                                                          \
+    WORD("tog$gle", CMD_IGNORED)                                                                                       \
+    WORD("und$efine", CMD_IGNORED)                                                                                     \
+    WORD("uns$et", CMD_UNSET)                                                                                          \
+    WORD("up$date", CMD_IGNORED)                                                                                       \
+    WORD("vclear", CMD_UNSUPPORTED)                                                                                    \
+    WORD("vfill", CMD_UNSUPPORTED)                                                                                     \
+    WORD("voxel", CMD_UNSUPPORTED)                                                                                     \
+    WORD("while", CONTROL)
+const char words_command[] = COMMANDS(WORDS_PATTERN);
+const uint8_t words_command_id[] = {COMMANDS(WORDS_ID)};
+_Static_assert(sizeof words_command_id <= WORDS_WARNED_STYLE, "a warning bit for each");
 
-const word_t words_set[] = {
-    {"all", SET_ALL},
-    {"an$gles", SET_ANGLES},
-    {"ar$row", SET_IGNORED},
-    {"au$toscale", SET_AUTOSCALE},
-    {"b$ars", SET_IGNORED},
-    {"bm$argin", SET_IGNORED},
-    {"bor$der", SET_BORDER},
-    {"boxd$epth", SET_IGNORED},
-    {"box$width", SET_IGNORED},
-    {"cl$abel", SET_IGNORED},
-    {"c$lip", SET_IGNORED},
-    {"cntrp$aram", SET_IGNORED},
-    {"cntrl$abels", SET_IGNORED},
-    {"cont$ours", SET_IGNORED},
-    {"color", SET_IGNORED},
-    {"colour", SET_IGNORED},
-    {"colorb$ox", SET_IGNORED},
-    {"colorn$ames", SET_IGNORED},
-    {"colors$equence", SET_IGNORED},
+/* Full words, so their place in the table does not matter. */
 #if CONFIG_AREA
-    {"crease", SET_CREASE},
+#define OPTIONS_OURS(WORD)                                                                                             \
+    WORD("crease", SET_CREASE)                                                                                         \
+    WORD("hatch", SET_HATCH) WORD("light", SET_LIGHT) WORD("pen", SET_PEN) WORD("shadow", SET_SHADOW)
+#else
+#define OPTIONS_OURS(WORD)
 #endif
-    {"dasht$ype", SET_IGNORED},
-    {"data", SET_IGNORED},
-    {"dataf$ile", SET_DATAFILE},
-    {"dec$imalsign", SET_IGNORED},
-    {"dg$rid3d", SET_IGNORED},
-    {"du$mmy", SET_DUMMY},
-    {"enc$oding", SET_IGNORED},
-    {"errorb$ars", SET_IGNORED},
-    {"fit", SET_IGNORED},
-    {"font$path", SET_IGNORED},
-    {"fo$rmat", SET_IGNORED},
-    {"fu$nctions", SET_FUNCTIONS},
-    {"g$rid", SET_IGNORED},
-    {"halo", SET_HALO},
-#if CONFIG_AREA
-    {"hatch", SET_HATCH},
-#endif
-    {"hid$den3d", SET_HIDDEN3D},
-    {"historys$ize", SET_IGNORED},
-    {"his$tory", SET_IGNORED},
-    {"is$osamples", SET_ISOSAMPLES},
-    {"isosurf$ace", SET_IGNORED},
-    {"jitter", SET_IGNORED},
-    {"k$ey", SET_IGNORED},
-    {"keyt$itle", SET_IGNORED},
-    {"la$bel", SET_IGNORED},
-#if CONFIG_AREA
-    {"light", SET_LIGHT},
-#endif
-    {"lines$tyle", SET_IGNORED},
-    {"ls", SET_IGNORED},
-    {"linet$ype", SET_IGNORED},
-    {"lt", SET_IGNORED},
-    {"link", SET_IGNORED},
-    {"lm$argin", SET_IGNORED},
-    {"loa$dpath", SET_IGNORED},
-    {"loc$ale", SET_IGNORED},
-    {"log$scale", SET_LOGSCALE},
-    {"mac$ros", SET_IGNORED},
-    {"mach$ine", SET_MACHINE},
-    {"map$ping3d", SET_IGNORED},
-    {"mar$gins", SET_IGNORED},
-    {"micro", SET_IGNORED},
-    {"minus$sign", SET_IGNORED},
-    {"missing", SET_IGNORED},
-    {"mo$use", SET_IGNORED},
-    {"mono$chrome", SET_IGNORED},
-    {"multi$plot", SET_IGNORED},
-    {"mx2t$ics", SET_IGNORED},
-    {"mxt$ics", SET_IGNORED},
-    {"my2t$ics", SET_IGNORED},
-    {"myt$ics", SET_IGNORED},
-    {"mzt$ics", SET_IGNORED},
-    {"mcbt$ics", SET_IGNORED},
-    {"mrt$ics", SET_IGNORED},
-    {"mtt$ics", SET_IGNORED},
-    {"nonlin$ear", SET_LOGSCALE},
-    {"obj$ect", SET_IGNORED},
-    {"of$fsets", SET_IGNORED},
-    {"or$igin", SET_IGNORED},
-    {"o$utput", SET_IGNORED},
-    {"overflow", SET_IGNORED},
-    {"pap$er", SET_PAPER},
-    {"pa$rametric", SET_PARAMETRIC},
-    {"pal$ette", SET_IGNORED},
-    {"pax$is", SET_IGNORED},
-#if CONFIG_AREA
-    {"pen", SET_PEN},
-#endif
-    {"pix$map", SET_IGNORED},
-    {"pm$3d", SET_IGNORED},
-    {"pointint$ervalbox", SET_IGNORED},
-    {"poi$ntsize", SET_IGNORED},
-    {"pol$ar", SET_POLAR},
-    {"pr$int", SET_IGNORED},
-    {"psdir", SET_IGNORED},
-    {"rax$is", SET_IGNORED},
-    {"rgbmax", SET_IGNORED},
-    {"rlabel", SET_IGNORED},
-    {"rm$argin", SET_IGNORED},
-    {"rr$ange", SET_IGNORED},
-    {"rti$cs", SET_IGNORED},
-    {"sa$mples", SET_SAMPLES},
-#if CONFIG_AREA
-    {"shadow", SET_SHADOW},
-#endif
-    {"si$ze", SET_IGNORED},
-    {"spider$plot", SET_IGNORED},
-    {"st$yle", SET_STYLE},
-    {"su$rface", SET_IGNORED},
-    {"t$erminal", SET_IGNORED},
-    {"tab$le", SET_IGNORED},
-    {"termop$tions", SET_IGNORED},
-    {"theta", SET_IGNORED},
-    {"ti$cs", SET_TICS},
-    {"ticsc$ale", SET_IGNORED},
-    {"ticsl$evel", SET_TICSLEVEL},
-    {"time", SET_IGNORED},
-    {"timef$mt", SET_IGNORED},
-    {"times$tamp", SET_IGNORED},
-    {"tit$le", SET_TITLE},
-    {"tm$argin", SET_IGNORED},
-    {"tr$ange", SET_IGNORED},
-    {"tti$cs", SET_IGNORED},
-    {"ur$ange", SET_URANGE},
-    {"v$ariables", SET_VARIABLES},
-    {"ve$rsion", SET_VERSION},
-    {"vg$rid", SET_IGNORED},
-    {"vi$ew", SET_VIEW},
-    {"vr$ange", SET_VRANGE},
-    {"vxr$ange", SET_IGNORED},
-    {"vyr$ange", SET_IGNORED},
-    {"vzr$ange", SET_IGNORED},
-    {"wall$s", SET_IGNORED},
-    {"xyp$lane", SET_XYPLANE},
-    {"xr$ange", SET_XRANGE},
-    {"yr$ange", SET_YRANGE},
-    {"zr$ange", SET_ZRANGE},
-    {"x2r$ange", SET_IGNORED},
-    {"y2r$ange", SET_IGNORED},
-    {"cbr$ange", SET_IGNORED},
-    {"xda$ta", SET_IGNORED},
-    {"x2da$ta", SET_IGNORED},
-    {"yda$ta", SET_IGNORED},
-    {"y2da$ta", SET_IGNORED},
-    {"zda$ta", SET_IGNORED},
-    {"cbda$ta", SET_IGNORED},
-    {"xl$abel", SET_IGNORED},
-    {"x2l$abel", SET_IGNORED},
-    {"yl$abel", SET_IGNORED},
-    {"y2l$abel", SET_IGNORED},
-    {"zl$abel", SET_IGNORED},
-    {"cbl$abel", SET_IGNORED},
-    {"xti$cs", SET_XTICS},
-    {"x2ti$cs", SET_IGNORED},
-    {"yti$cs", SET_YTICS},
-    {"y2ti$cs", SET_IGNORED},
-    {"zti$cs", SET_ZTICS},
-    {"cbti$cs", SET_IGNORED},
-    {"xdti$cs", SET_IGNORED},
-    {"x2dti$cs", SET_IGNORED},
-    {"ydti$cs", SET_IGNORED},
-    {"y2dti$cs", SET_IGNORED},
-    {"zdti$cs", SET_IGNORED},
-    {"cbdti$cs", SET_IGNORED},
-    {"xmti$cs", SET_IGNORED},
-    {"x2mti$cs", SET_IGNORED},
-    {"ymti$cs", SET_IGNORED},
-    {"y2mti$cs", SET_IGNORED},
-    {"zmti$cs", SET_IGNORED},
-    {"cbmti$cs", SET_IGNORED},
-    {"xzeroa$xis", SET_IGNORED},
-    {"x2zeroa$xis", SET_IGNORED},
-    {"yzeroa$xis", SET_IGNORED},
-    {"y2zeroa$xis", SET_IGNORED},
-    {"zzeroa$xis", SET_IGNORED},
-    {"zeroa$xis", SET_IGNORED},
-    {"z$ero", SET_IGNORED},
-    {NULL, SET_IGNORED},
-};
-_Static_assert(sizeof words_set / sizeof words_set[0] <= WORDS_SET_MAX, "a warning bit for each");
+#define OPTIONS(WORD)                                                                                                  \
+    WORD("all", SET_ALL)                                                                                               \
+    WORD("an$gles", SET_ANGLES)                                                                                        \
+    WORD("ar$row", SET_IGNORED)                                                                                        \
+    WORD("au$toscale", SET_AUTOSCALE)                                                                                  \
+    WORD("b$ars", SET_IGNORED)                                                                                         \
+    WORD("bm$argin", SET_IGNORED)                                                                                      \
+    WORD("bor$der", SET_BORDER)                                                                                        \
+    WORD("boxd$epth", SET_IGNORED)                                                                                     \
+    WORD("box$width", SET_IGNORED)                                                                                     \
+    WORD("cl$abel", SET_IGNORED)                                                                                       \
+    WORD("c$lip", SET_IGNORED)                                                                                         \
+    WORD("cntrp$aram", SET_IGNORED)                                                                                    \
+    WORD("cntrl$abels", SET_IGNORED)                                                                                   \
+    WORD("cont$ours", SET_IGNORED)                                                                                     \
+    WORD("color", SET_IGNORED)                                                                                         \
+    WORD("colour", SET_IGNORED)                                                                                        \
+    WORD("colorb$ox", SET_IGNORED)                                                                                     \
+    WORD("colorn$ames", SET_IGNORED)                                                                                   \
+    WORD("colors$equence", SET_IGNORED)                                                                                \
+    WORD("dasht$ype", SET_IGNORED)                                                                                     \
+    WORD("data", SET_IGNORED)                                                                                          \
+    WORD("dataf$ile", SET_DATAFILE)                                                                                    \
+    WORD("dec$imalsign", SET_IGNORED)                                                                                  \
+    WORD("dg$rid3d", SET_IGNORED)                                                                                      \
+    WORD("du$mmy", SET_DUMMY)                                                                                          \
+    WORD("enc$oding", SET_IGNORED)                                                                                     \
+    WORD("errorb$ars", SET_IGNORED)                                                                                    \
+    WORD("fit", SET_IGNORED)                                                                                           \
+    WORD("font$path", SET_IGNORED)                                                                                     \
+    WORD("fo$rmat", SET_IGNORED)                                                                                       \
+    WORD("fu$nctions", SET_FUNCTIONS)                                                                                  \
+    WORD("g$rid", SET_IGNORED)                                                                                         \
+    WORD("halo", SET_HALO)                                                                                             \
+    WORD("hid$den3d", SET_HIDDEN3D)                                                                                    \
+    WORD("historys$ize", SET_IGNORED)                                                                                  \
+    WORD("his$tory", SET_IGNORED)                                                                                      \
+    WORD("is$osamples", SET_ISOSAMPLES)                                                                                \
+    WORD("isosurf$ace", SET_IGNORED)                                                                                   \
+    WORD("jitter", SET_IGNORED)                                                                                        \
+    WORD("k$ey", SET_IGNORED)                                                                                          \
+    WORD("keyt$itle", SET_IGNORED)                                                                                     \
+    WORD("la$bel", SET_IGNORED)                                                                                        \
+    WORD("lines$tyle", SET_IGNORED)                                                                                    \
+    WORD("ls", SET_IGNORED)                                                                                            \
+    WORD("linet$ype", SET_IGNORED)                                                                                     \
+    WORD("lt", SET_IGNORED)                                                                                            \
+    WORD("link", SET_IGNORED)                                                                                          \
+    WORD("lm$argin", SET_IGNORED)                                                                                      \
+    WORD("loa$dpath", SET_IGNORED)                                                                                     \
+    WORD("loc$ale", SET_IGNORED)                                                                                       \
+    WORD("log$scale", SET_LOGSCALE)                                                                                    \
+    WORD("mac$ros", SET_IGNORED)                                                                                       \
+    WORD("mach$ine", SET_MACHINE)                                                                                      \
+    WORD("map$ping3d", SET_IGNORED)                                                                                    \
+    WORD("mar$gins", SET_IGNORED)                                                                                      \
+    WORD("micro", SET_IGNORED)                                                                                         \
+    WORD("minus$sign", SET_IGNORED)                                                                                    \
+    WORD("missing", SET_IGNORED)                                                                                       \
+    WORD("mo$use", SET_IGNORED)                                                                                        \
+    WORD("mono$chrome", SET_IGNORED)                                                                                   \
+    WORD("multi$plot", SET_IGNORED)                                                                                    \
+    WORD("mx2t$ics", SET_IGNORED)                                                                                      \
+    WORD("mxt$ics", SET_IGNORED)                                                                                       \
+    WORD("my2t$ics", SET_IGNORED)                                                                                      \
+    WORD("myt$ics", SET_IGNORED)                                                                                       \
+    WORD("mzt$ics", SET_IGNORED)                                                                                       \
+    WORD("mcbt$ics", SET_IGNORED)                                                                                      \
+    WORD("mrt$ics", SET_IGNORED)                                                                                       \
+    WORD("mtt$ics", SET_IGNORED)                                                                                       \
+    WORD("nonlin$ear", SET_LOGSCALE)                                                                                   \
+    WORD("obj$ect", SET_IGNORED)                                                                                       \
+    WORD("of$fsets", SET_IGNORED)                                                                                      \
+    WORD("or$igin", SET_IGNORED)                                                                                       \
+    WORD("o$utput", SET_IGNORED)                                                                                       \
+    WORD("overflow", SET_IGNORED)                                                                                      \
+    WORD("pap$er", SET_PAPER)                                                                                          \
+    WORD("pa$rametric", SET_PARAMETRIC)                                                                                \
+    WORD("pal$ette", SET_IGNORED)                                                                                      \
+    WORD("pax$is", SET_IGNORED)                                                                                        \
+    WORD("pix$map", SET_IGNORED)                                                                                       \
+    WORD("pm$3d", SET_IGNORED)                                                                                         \
+    WORD("pointint$ervalbox", SET_IGNORED)                                                                             \
+    WORD("poi$ntsize", SET_IGNORED)                                                                                    \
+    WORD("pol$ar", SET_POLAR)                                                                                          \
+    WORD("pr$int", SET_IGNORED)                                                                                        \
+    WORD("psdir", SET_IGNORED)                                                                                         \
+    WORD("rax$is", SET_IGNORED)                                                                                        \
+    WORD("rgbmax", SET_IGNORED)                                                                                        \
+    WORD("rlabel", SET_IGNORED)                                                                                        \
+    WORD("rm$argin", SET_IGNORED)                                                                                      \
+    WORD("rr$ange", SET_IGNORED)                                                                                       \
+    WORD("rti$cs", SET_IGNORED)                                                                                        \
+    WORD("sa$mples", SET_SAMPLES)                                                                                      \
+    WORD("si$ze", SET_IGNORED)                                                                                         \
+    WORD("spider$plot", SET_IGNORED)                                                                                   \
+    WORD("st$yle", SET_STYLE)                                                                                          \
+    WORD("su$rface", SET_IGNORED)                                                                                      \
+    WORD("t$erminal", SET_IGNORED)                                                                                     \
+    WORD("tab$le", SET_IGNORED)                                                                                        \
+    WORD("termop$tions", SET_IGNORED)                                                                                  \
+    WORD("theta", SET_IGNORED)                                                                                         \
+    WORD("ti$cs", SET_TICS)                                                                                            \
+    WORD("ticsc$ale", SET_IGNORED)                                                                                     \
+    WORD("ticsl$evel", SET_TICSLEVEL)                                                                                  \
+    WORD("time", SET_IGNORED)                                                                                          \
+    WORD("timef$mt", SET_IGNORED)                                                                                      \
+    WORD("times$tamp", SET_IGNORED)                                                                                    \
+    WORD("tit$le", SET_TITLE)                                                                                          \
+    WORD("tm$argin", SET_IGNORED)                                                                                      \
+    WORD("tr$ange", SET_IGNORED)                                                                                       \
+    WORD("tti$cs", SET_IGNORED)                                                                                        \
+    WORD("ur$ange", SET_URANGE)                                                                                        \
+    WORD("v$ariables", SET_VARIABLES)                                                                                  \
+    WORD("ve$rsion", SET_VERSION)                                                                                      \
+    WORD("vg$rid", SET_IGNORED)                                                                                        \
+    WORD("vi$ew", SET_VIEW)                                                                                            \
+    WORD("vr$ange", SET_VRANGE)                                                                                        \
+    WORD("vxr$ange", SET_IGNORED)                                                                                      \
+    WORD("vyr$ange", SET_IGNORED)                                                                                      \
+    WORD("vzr$ange", SET_IGNORED)                                                                                      \
+    WORD("wall$s", SET_IGNORED)                                                                                        \
+    WORD("xyp$lane", SET_XYPLANE)                                                                                      \
+    WORD("xr$ange", SET_XRANGE)                                                                                        \
+    WORD("yr$ange", SET_YRANGE)                                                                                        \
+    WORD("zr$ange", SET_ZRANGE)                                                                                        \
+    WORD("x2r$ange", SET_IGNORED)                                                                                      \
+    WORD("y2r$ange", SET_IGNORED)                                                                                      \
+    WORD("cbr$ange", SET_IGNORED)                                                                                      \
+    WORD("xda$ta", SET_IGNORED)                                                                                        \
+    WORD("x2da$ta", SET_IGNORED)                                                                                       \
+    WORD("yda$ta", SET_IGNORED)                                                                                        \
+    WORD("y2da$ta", SET_IGNORED)                                                                                       \
+    WORD("zda$ta", SET_IGNORED)                                                                                        \
+    WORD("cbda$ta", SET_IGNORED)                                                                                       \
+    WORD("xl$abel", SET_IGNORED)                                                                                       \
+    WORD("x2l$abel", SET_IGNORED)                                                                                      \
+    WORD("yl$abel", SET_IGNORED)                                                                                       \
+    WORD("y2l$abel", SET_IGNORED)                                                                                      \
+    WORD("zl$abel", SET_IGNORED)                                                                                       \
+    WORD("cbl$abel", SET_IGNORED)                                                                                      \
+    WORD("xti$cs", SET_XTICS)                                                                                          \
+    WORD("x2ti$cs", SET_IGNORED)                                                                                       \
+    WORD("yti$cs", SET_YTICS)                                                                                          \
+    WORD("y2ti$cs", SET_IGNORED)                                                                                       \
+    WORD("zti$cs", SET_ZTICS)                                                                                          \
+    WORD("cbti$cs", SET_IGNORED)                                                                                       \
+    WORD("xdti$cs", SET_IGNORED)                                                                                       \
+    WORD("x2dti$cs", SET_IGNORED)                                                                                      \
+    WORD("ydti$cs", SET_IGNORED)                                                                                       \
+    WORD("y2dti$cs", SET_IGNORED)                                                                                      \
+    WORD("zdti$cs", SET_IGNORED)                                                                                       \
+    WORD("cbdti$cs", SET_IGNORED)                                                                                      \
+    WORD("xmti$cs", SET_IGNORED)                                                                                       \
+    WORD("x2mti$cs", SET_IGNORED)                                                                                      \
+    WORD("ymti$cs", SET_IGNORED)                                                                                       \
+    WORD("y2mti$cs", SET_IGNORED)                                                                                      \
+    WORD("zmti$cs", SET_IGNORED)                                                                                       \
+    WORD("cbmti$cs", SET_IGNORED)                                                                                      \
+    WORD("xzeroa$xis", SET_IGNORED)                                                                                    \
+    WORD("x2zeroa$xis", SET_IGNORED)                                                                                   \
+    WORD("yzeroa$xis", SET_IGNORED)                                                                                    \
+    WORD("y2zeroa$xis", SET_IGNORED)                                                                                   \
+    WORD("zzeroa$xis", SET_IGNORED)                                                                                    \
+    WORD("zeroa$xis", SET_IGNORED)                                                                                     \
+    WORD("z$ero", SET_IGNORED)                                                                                         \
+    OPTIONS_OURS(WORD)
+const char words_set[] = OPTIONS(WORDS_PATTERN);
+const uint8_t words_set_id[] = {OPTIONS(WORDS_ID)};
+_Static_assert(sizeof words_set_id <= WORDS_SET_MAX, "a warning bit for each");
 
-const word_t words_style[] = {
-    {"l$ines", STYLE_LINES},
-    {"i$mpulses", STYLE_OTHER},
-    {"p$oints", STYLE_OTHER},
-    {"linesp$oints", STYLE_OTHER},
-    {"lp", STYLE_OTHER},
-    {"d$ots", STYLE_OTHER},
-    {"steps", STYLE_OTHER},
-    {"fs$teps", STYLE_OTHER},
-    {"his$teps", STYLE_OTHER},
-    {"fillst$eps", STYLE_OTHER},
-    {"e$rrorbars", STYLE_OTHER},
-    {"xe$rrorbars", STYLE_OTHER},
-    {"ye$rrorbars", STYLE_OTHER},
-    {"xye$rrorbars", STYLE_OTHER},
-    {"ze$rrorfill", STYLE_OTHER},
-    {"errorl$ines", STYLE_OTHER},
-    {"xerrorl$ines", STYLE_OTHER},
-    {"yerrorl$ines", STYLE_OTHER},
-    {"xyerrorl$ines", STYLE_OTHER},
-    {"boxes", STYLE_OTHER},
-    {"boxer$rorbars", STYLE_OTHER},
-    {"boxx$yerror", STYLE_OTHER},
-    {"boxplot", STYLE_OTHER},
-    {"hist$ograms", STYLE_OTHER},
-    {"filledc$urves", STYLE_OTHER},
-    {"vec$tors", STYLE_OTHER},
-    {"arrow$s", STYLE_OTHER},
-    {"fin$ancebars", STYLE_OTHER},
-    {"can$dlesticks", STYLE_OTHER},
-    {"pm$3d", STYLE_OTHER},
-    {"labels", STYLE_OTHER},
-    {"ima$ge", STYLE_OTHER},
-    {"rgbima$ge", STYLE_OTHER},
-    {"rgba$lpha", STYLE_OTHER},
-    {"cir$cles", STYLE_OTHER},
-    {"ell$ipses", STYLE_OTHER},
-    {"su$rface", STYLE_LINES},
-    {"parallel$axes", STYLE_OTHER},
-    {"polygons", STYLE_OTHER},
-    {"table", STYLE_OTHER},
-    {"isosurface", STYLE_OTHER},
-    {"spiderplot", STYLE_OTHER},
-    {"mask", STYLE_OTHER},
-    {NULL, STYLE_OTHER},
-};
+#define STYLES(WORD)                                                                                                   \
+    WORD("l$ines", STYLE_LINES)                                                                                        \
+    WORD("i$mpulses", STYLE_OTHER)                                                                                     \
+    WORD("p$oints", STYLE_OTHER)                                                                                       \
+    WORD("linesp$oints", STYLE_OTHER)                                                                                  \
+    WORD("lp", STYLE_OTHER)                                                                                            \
+    WORD("d$ots", STYLE_OTHER)                                                                                         \
+    WORD("steps", STYLE_OTHER)                                                                                         \
+    WORD("fs$teps", STYLE_OTHER)                                                                                       \
+    WORD("his$teps", STYLE_OTHER)                                                                                      \
+    WORD("fillst$eps", STYLE_OTHER)                                                                                    \
+    WORD("e$rrorbars", STYLE_OTHER)                                                                                    \
+    WORD("xe$rrorbars", STYLE_OTHER)                                                                                   \
+    WORD("ye$rrorbars", STYLE_OTHER)                                                                                   \
+    WORD("xye$rrorbars", STYLE_OTHER)                                                                                  \
+    WORD("ze$rrorfill", STYLE_OTHER)                                                                                   \
+    WORD("errorl$ines", STYLE_OTHER)                                                                                   \
+    WORD("xerrorl$ines", STYLE_OTHER)                                                                                  \
+    WORD("yerrorl$ines", STYLE_OTHER)                                                                                  \
+    WORD("xyerrorl$ines", STYLE_OTHER)                                                                                 \
+    WORD("boxes", STYLE_OTHER)                                                                                         \
+    WORD("boxer$rorbars", STYLE_OTHER)                                                                                 \
+    WORD("boxx$yerror", STYLE_OTHER)                                                                                   \
+    WORD("boxplot", STYLE_OTHER)                                                                                       \
+    WORD("hist$ograms", STYLE_OTHER)                                                                                   \
+    WORD("filledc$urves", STYLE_OTHER)                                                                                 \
+    WORD("vec$tors", STYLE_OTHER)                                                                                      \
+    WORD("arrow$s", STYLE_OTHER)                                                                                       \
+    WORD("fin$ancebars", STYLE_OTHER)                                                                                  \
+    WORD("can$dlesticks", STYLE_OTHER)                                                                                 \
+    WORD("pm$3d", STYLE_OTHER)                                                                                         \
+    WORD("labels", STYLE_OTHER)                                                                                        \
+    WORD("ima$ge", STYLE_OTHER)                                                                                        \
+    WORD("rgbima$ge", STYLE_OTHER)                                                                                     \
+    WORD("rgba$lpha", STYLE_OTHER)                                                                                     \
+    WORD("cir$cles", STYLE_OTHER)                                                                                      \
+    WORD("ell$ipses", STYLE_OTHER)                                                                                     \
+    WORD("su$rface", STYLE_LINES)                                                                                      \
+    WORD("parallel$axes", STYLE_OTHER)                                                                                 \
+    WORD("polygons", STYLE_OTHER)                                                                                      \
+    WORD("table", STYLE_OTHER)                                                                                         \
+    WORD("isosurface", STYLE_OTHER)                                                                                    \
+    WORD("spiderplot", STYLE_OTHER)                                                                                    \
+    WORD("mask", STYLE_OTHER)
+const char words_style[] = STYLES(WORDS_PATTERN);
+const uint8_t words_style_id[] = {STYLES(WORDS_ID)};

@@ -7,13 +7,13 @@
 
 #include "lang/lexer.h"
 
-typedef struct word {
-    const char *pattern; /* NULL ends a table */
-    uint8_t id;
-} word_t;
-
-/* The index in the table of the current token, or -1. Does not go on. */
-int words_find(const word_t *table, const lexer_t *lx);
+/* The index in the table of the current token, or -1. Does not go on. A table is patterns one behind the other, each
+ * ended by a zero, and an empty one: "bin$ary\0mask\0". (A structure of pointer and id would take 7 bytes more a word.)
+ */
+int words_find(const char *table, const lexer_t *lx);
+/* A table with ids is written once, as a list of WORD(pattern, id), and read twice. */
+#define WORDS_PATTERN(pattern, id) pattern "\0"
+#define WORDS_ID(pattern, id) id,
 /* The same for len bytes of text. */
 bool words_match(const char *pattern, const char *text, size_t len);
 
@@ -34,7 +34,8 @@ enum command_id {
     CMD_IGNORED,     /* gnuplot's, without a meaning for a plotter: one warning, skipped */
     CMD_UNSUPPORTED, /* gnuplot's, and skipping it would change what follows: an error */
 };
-extern const word_t words_command[];
+extern const char words_command[];
+extern const uint8_t words_command_id[];
 /* A bit for a warning already given: one per word of words_command and words_set. */
 #define WORDS_COMMAND_MAX 64
 /* The last of these bits: `with` something else than lines. */
@@ -80,10 +81,12 @@ enum set_id {
     SET_YTICS,
     SET_ZTICS,
 };
-extern const word_t words_set[];
+extern const char words_set[];
+extern const uint8_t words_set_id[];
 #define WORDS_SET_MAX 192
 
 enum style_id { STYLE_LINES, STYLE_OTHER };
-extern const word_t words_style[];
+extern const char words_style[];
+extern const uint8_t words_style_id[];
 
 #endif

@@ -120,7 +120,7 @@ elements_for_each_value() {
     expect_text err 'column 46: this uses a variable that `for` changes elsewhere'
     echo 'splot for [i=1:99] i*x' >a.gp
     expect_status 2 ours a.gp 2>err
-    expect_text err 'too much for one plot; most elements: 32'
+    expect_text err 'too much for one plot; most elements (32)'
 }
 
 run_tests elements_for_each_value blocks_do_what_gnuplot_does alternatives_may_follow_each_other every_plot_in_a_loop_is_a_page errors_name_the_line_of_the_block
