@@ -84,12 +84,6 @@ static bool compare_all(void *ctx, const int32_t *from, const int32_t *end) {
     return true;
 }
 
-/* Was it moved to the end of the page's range, off the edge's line? */
-static bool is_limited(const solid_place_t *p) {
-    return p->x <= -SOLID_PLACE_MOST || p->x >= SOLID_PLACE_MOST || p->y <= -SOLID_PLACE_MOST ||
-           p->y >= SOLID_PLACE_MOST;
-}
-
 static int emit(drawing_t *d, const ink_sink_t *sink, int32_t from, int32_t to) {
     if (from >= to) return 0;
     const ink_piece_t piece = {INK_SEGMENT, 0, d->edge, from, to};
@@ -134,8 +128,9 @@ static int draw_edge(drawing_t *d, int32_t edge) {
     d->stats->edges++;
     if (dropped && !d->hidden) return 0;
     int64_t t_q30[2];
+    int32_t off_lat;
     shadow_line_t *line = &d->line;
-    if (!solid_map_edge(d->map, edge, line->end, t_q30)) return 0;
+    if (!solid_map_edge(d->map, edge, line->end, t_q30, &off_lat)) return 0;
     const solid_place_t *a = &line->end[0], *b = &line->end[1];
     if (a->x == b->x && a->y == b->y) return 0; /* end-on */
     d->edge = edge;
@@ -145,15 +140,13 @@ static int draw_edge(drawing_t *d, int32_t edge) {
         line->v[0] = e->v[0];
         line->v[1] = e->v[1];
         line->exact = !solid_map_is_good(d->map, e->v[0]) || !solid_map_is_good(d->map, e->v[1]);
-        d->box = (page_box_t){(a->x < b->x ? a->x : b->x) - 2, (a->y < b->y ? a->y : b->y) - 2,
-                              (a->x < b->x ? b->x : a->x) + 2, (a->y < b->y ? b->y : a->y) + 2};
+        const int32_t off = off_lat + 2;
+        d->box = (page_box_t){(a->x < b->x ? a->x : b->x) - off, (a->y < b->y ? a->y : b->y) - off,
+                              (a->x < b->x ? b->x : a->x) + off, (a->y < b->y ? b->y : a->y) + off};
         d->z = (a->z > b->z ? a->z : b->z) + 2;
         d->part[0] = (part_t){(int32_t)t_q30[0], (int32_t)t_q30[1]};
         d->parts = 1;
-        if (is_limited(a) || is_limited(b)) /* the grid would be walked along another line */
-            for (int32_t k = 0; k < d->shadows.n && compare(d, &d->shadows.list[k]); k++) continue;
-        else
-            page_grid_walk(&d->grid, a, b, compare_all, d);
+        page_grid_walk(&d->grid, a, b, off_lat, compare_all, d);
         if (d->full) return ERR_FULL;
     }
     return emit_parts(d, (int32_t)t_q30[0], (int32_t)t_q30[1]);

@@ -169,7 +169,7 @@ static void look_along(search_t *s, int32_t edge) {
     s->dx = q.x_lat - p.x_lat;
     s->dy = q.y_lat - p.y_lat;
     s->least = ONCE_FLAT_LAT * (size(s->dx) > size(s->dy) ? size(s->dx) : size(s->dy));
-    page_grid_walk(&s->grid, &(solid_place_t){p.x_lat, p.y_lat, 0}, &(solid_place_t){q.x_lat, q.y_lat, 0}, visit, s);
+    page_grid_walk(&s->grid, &(solid_place_t){p.x_lat, p.y_lat, 0}, &(solid_place_t){q.x_lat, q.y_lat, 0}, 0, visit, s);
 }
 
 /* The first and the last point along a group's line. */

@@ -109,14 +109,15 @@ static bool visit_cells(const page_grid_t *g, int32_t row, int32_t first, int32_
     return visit(ctx, g->entry + cell[first], g->entry + cell[last + 1]);
 }
 
-void page_grid_walk(const page_grid_t *g, const solid_place_t *a, const solid_place_t *b, page_grid_visit_t *visit,
-                    void *ctx) {
+void page_grid_walk(const page_grid_t *g, const solid_place_t *a, const solid_place_t *b, int32_t off_lat,
+                    page_grid_visit_t *visit, void *ctx) {
     if (a->y > b->y) {
         const solid_place_t *swap = a;
         a = b;
         b = swap;
     }
-    const page_box_t box = {a->x < b->x ? a->x : b->x, a->y, a->x < b->x ? b->x : a->x, b->y};
+    const page_box_t box = {(a->x < b->x ? a->x : b->x) - off_lat, a->y - off_lat,
+                            (a->x < b->x ? b->x : a->x) + off_lat, b->y + off_lat};
     const cells_t c = cells_of(g, &box);
     if (c.c0 > c.c1) return;
     if (c.r0 == c.r1 || c.c0 == c.c1) {
@@ -126,15 +127,18 @@ void page_grid_walk(const page_grid_t *g, const solid_place_t *a, const solid_pl
     }
     /* |dx| <= 2^30, and what the slope is multiplied by is at most dy */
     const int64_t dy = (int64_t)b->y - a->y, slope_q30 = ((int64_t)b->x - a->x) * ((int64_t)1 << 30) / dy;
+    const int32_t margin = MARGIN + off_lat;
     for (int32_t r = c.r0; r <= c.r1; r++) { /* the part of the line in each row */
-        int64_t low = g->window.y0 + ((int64_t)r << g->shift) - MARGIN - a->y,
-                high = low + ((int64_t)1 << g->shift) + 2 * MARGIN;
+        int64_t low = g->window.y0 + ((int64_t)r << g->shift) - margin - a->y,
+                high = low + ((int64_t)1 << g->shift) + 2 * margin;
         if (low < 0) low = 0;
+        if (low > dy) low = dy;
         if (high > dy) high = dy;
+        if (high < 0) high = 0;
         const int32_t from = a->x + (int32_t)(slope_q30 * low >> 30), to = a->x + (int32_t)(slope_q30 * high >> 30);
         /* a lat more than places are off, for the slope */
-        int32_t first = ((from < to ? from : to) - MARGIN - 1 - g->window.x0) >> g->shift,
-                last = ((from < to ? to : from) + MARGIN + 1 - g->window.x0) >> g->shift;
+        int32_t first = ((from < to ? from : to) - margin - 1 - g->window.x0) >> g->shift,
+                last = ((from < to ? to : from) + margin + 1 - g->window.x0) >> g->shift;
         if (first < c.c0) first = c.c0;
         if (last > c.c1) last = c.c1;
         if (first <= last && !visit_cells(g, r, first, last, visit, ctx)) return;

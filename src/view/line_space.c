@@ -65,7 +65,8 @@ bool line_space_point(const line_space_t *s, uint8_t family, int32_t line, int64
     if (line_space_is_close(s, h.e)) {
         if (!exact_point(s, family, line, t, out)) return false;
     } else {
-        if (h.e < s->near_e) return false;
+        /* where a line was cut at near_e, E is that but for its rounding */
+        if (h.e < s->near_e - (s->near_e >> 8)) return false;
         *out = line_space_divide(s, &h);
     }
     if (s->all_inside) return true;

@@ -4,6 +4,7 @@
 #include "error.h"
 #include "num/ints.h"
 #include "num/wide.h"
+#include "view/cut.h"
 
 #define ROW_BITS 62 /* of the coefficients that a lattice coordinate is multiplied by */
 
@@ -155,26 +156,44 @@ int solid_map_setup(solid_map_t *m, const solid_t *solid, const camera_t *cam, v
     return 0;
 }
 
-bool solid_map_edge(const solid_map_t *m, int32_t edge, solid_place_t end[2], int64_t t_q30[2]) {
+#define AROUND_LAT (1 << 20) /* edges end so far outside of the window, 32 mm: ink is cut to it exactly */
+#define AROUND_MOST ((1 << 25) - 1)
+
+static page_window_t around_window(const page_window_t *w) {
+    const page_window_t out = {w->x0_lat - AROUND_LAT, w->y0_lat - AROUND_LAT, w->x1_lat + AROUND_LAT,
+                               w->y1_lat + AROUND_LAT};
+    return (page_window_t){
+        out.x0_lat < -AROUND_MOST ? -AROUND_MOST : out.x0_lat, out.y0_lat < -AROUND_MOST ? -AROUND_MOST : out.y0_lat,
+        out.x1_lat > AROUND_MOST ? AROUND_MOST : out.x1_lat, out.y1_lat > AROUND_MOST ? AROUND_MOST : out.y1_lat};
+}
+
+bool solid_map_edge(const solid_map_t *m, int32_t edge, solid_place_t end[2], int64_t t_q30[2], int32_t *off_lat) {
     const solid_edge_t *e = &m->solid->edge[edge];
-    bool behind[2];
     for (int k = 0; k < 2; k++) {
         end[k] = m->place[e->v[k]];
         t_q30[k] = k * INK_ONE;
-        behind[k] = solid_map_is_behind(m, e->v[k]);
     }
-    if (!behind[0] && !behind[1]) return true;
-    if (behind[0] && behind[1]) return false;
-    int back = behind[1];
-    page_h_t h[2] = {solid_map_vertex(m, e->v[0]), solid_map_vertex(m, e->v[1])};
-    /* halved, the difference of opposite signs fits */
-    int64_t way = h[1 - back].e / 2 - h[back].e / 2;
-    int64_t t = ints_muldiv_round(INK_ONE, h[1 - back].e / 2 - m->lines.near_e / 2, way);
-    t_q30[back] = back ? t : INK_ONE - t;
-    if (t <= 0) return false;
-    page_h_t cut;
-    lines_at((void *)(uintptr_t)m, INK_SEGMENT, edge, t_q30[back], &cut);
-    if (cut.e < m->lines.near_e) cut.e = m->lines.near_e; /* rounded to the wrong side */
-    end[back] = place_of(m, &cut);
-    return true;
+    *off_lat = 0;
+    if (solid_map_is_good(m, e->v[0]) && solid_map_is_good(m, e->v[1])) return true;
+    const page_window_t around = around_window(m->lines.window);
+    const page_h_t h[2] = {solid_map_vertex(m, e->v[0]), solid_map_vertex(m, e->v[1])};
+    int64_t near[2] = {0, INK_ONE};
+    if (!cut_between(&m->lines, &around, &h[0], &h[1], &near[0], &near[1])) return false;
+    for (int k = 0; k < 2; k++) {
+        const bool behind = solid_map_is_behind(m, e->v[k]);
+        /* halved, the difference of opposite signs fits */
+        const int64_t t =
+            behind ? ints_muldiv_round(INK_ONE, h[!k].e / 2 - m->lines.near_e / 2, h[!k].e / 2 - h[k].e / 2) : 0;
+        if (behind) t_q30[k] = k ? t : INK_ONE - t;
+        if (near[k] == k * INK_ONE) continue;
+        page_h_t cut = line_space_mix(&h[0], &h[1], (int32_t)near[k]);
+        if (cut.e < m->lines.near_e) cut.e = m->lines.near_e; /* rounded to the wrong side */
+        solid_place_t p = place_of(m, &cut);
+        const int64_t far = (p.x < 0 ? -(int64_t)p.x : p.x) + (p.y < 0 ? -(int64_t)p.y : p.y);
+        const int32_t off = (int32_t)(far / cut.e) + 2;
+        if (off > *off_lat) *off_lat = off;
+        if (!behind) p.z = end[k].z;
+        end[k] = p;
+    }
+    return t_q30[0] < t_q30[1];
 }

@@ -70,8 +70,10 @@ static inline bool solid_map_is_good(const solid_map_t *m, int32_t v) {
     return p->z != INT32_MIN && p->x > -SOLID_PLACE_MOST && p->x < SOLID_PLACE_MOST && p->y > -SOLID_PLACE_MOST &&
            p->y < SOLID_PLACE_MOST;
 }
-/* The part of an edge in front of the eye: its ends on the page and their parameters in space (0 and INK_ONE for an
- * edge that is not cut). False if it is all behind. */
-bool solid_map_edge(const solid_map_t *m, int32_t edge, solid_place_t end[2], int64_t t_q30[2]);
+/* An edge's ends on the page and the parameters in space of what is in front of the eye, 0 and INK_ONE for an edge that
+ * is not cut there. If a vertex is not good, the places are where the edge, along itself, comes 32 mm close to the
+ * window: off by *off_lat at most from its picture, for the rounding of homogeneous coordinates (0 for other edges; a
+ * few lat, 2^10 next to the eye), and of no less depth than what is seen. False if nothing of it is near the window. */
+bool solid_map_edge(const solid_map_t *m, int32_t edge, solid_place_t end[2], int64_t t_q30[2], int32_t *off_lat);
 
 #endif

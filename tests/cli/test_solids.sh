@@ -117,6 +117,21 @@ endloop\r\nendfacet\r\nendsolid' "$zeros" >a.stl # the mark of UTF-8, Windows li
     near "$(ink a.seg)" "$(ink b.seg)"
 }
 
+# Edges that come close to the eye, for a scene a million times as large, and go on behind it: where nothing hides,
+# nothing is lost.
+close_to_the_eye() {
+    for seed in 1 2 3 4 5 6 7 8; do
+        awk -v seed=$seed 'function r(a) { return (2 * rand() - 1) * a } BEGIN {
+            srand(seed)
+            for (k = 0; k < 60; k++) printf "v %.6f %.6f %.6f\nv %.6f %.6f %.6f\nl -2 -1\n", r(8), r(8), r(8), r(8), r(8), r(8)
+            print "v -900000 3 1\nv 900000 -4 1\nl -2 -1" }' >a.obj
+        printf "set view from .$seed,.2,.3 to $seed,3,1\nsplot 'a.obj'\nunset hidden3d\nreplot\n" >a.gp
+        ridgeline plot a.gp -o a.seg 2>err
+        awk "BEGIN { d = $(ink a.seg) - $(ink a-2.seg); exit !(d < .5 && d > -.5 && $(ink a.seg) > 1000) }"
+        echo "# $(ink a.seg) mm of wires near the eye, $(ink a-2.seg) unhidden"
+    done
+}
+
 # Lines that end with CR alone; a binary STL that begins with `solid` and is not as long as it says.
 lines_and_lengths() {
     cube >a.obj
@@ -280,4 +295,5 @@ thousands_of_concave_parts() {
 
 run_tests a_surface_of_facets_is_the_surface formats_are_the_same_body a_binary_stl_is_read what_is_wrong_is_said damaged_files \
     rows_as_they_are_typed hidden_parts_are_dashed what_falls_together_is_drawn_once an_outline_is_closed \
-    bodies_that_meet_have_seams thousands_of_concave_parts lines_and_lengths words_that_change_nothing_are_told smooth_twice
+    bodies_that_meet_have_seams thousands_of_concave_parts lines_and_lengths words_that_change_nothing_are_told smooth_twice \
+    close_to_the_eye
