@@ -59,6 +59,12 @@
 #define CONFIG_TURNS 1000000
 #endif
 
+/* Faces that a mesh has twice are one (scene/solid_double.c: 0.6 KB). Without, each is a body of its own: it hides the
+ * same, and is drawn with all of its edges, whatever `crease` says. */
+#ifndef CONFIG_DOUBLES
+#define CONFIG_DOUBLES CONFIG_AREA
+#endif
+
 /* 1: edges of solids that are turned from the eye are not asked what they coincide with (hidden/once_away.h). Nothing
  * depends on it but speed; 0.7 KB of code. */
 #ifndef CONFIG_ONCE_AWAY

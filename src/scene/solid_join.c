@@ -4,6 +4,7 @@
  * their faces belong to one object, and a union-find whose links know whether both faces run the same way round
  * collects it and turns its faces alike. Edges of more faces (bodies that touch) connect those of one `o` or `g`, if
  * they are two; they become one edge for each object, twins of each other. */
+#include "config.h"
 #include "num/wide.h"
 #include "scene/solid_build.h"
 #include "scene/solid_math.h"
@@ -258,7 +259,7 @@ void solid_join(solid_build_t *b) {
     chain_segments(b);
     const int32_t segments = s->ne;
     chain_corners(b);
-    if (!b->full && is_crowded(b) && solid_drop_doubles(b)) {
+    if (CONFIG_DOUBLES && !b->full && is_crowded(b) && solid_drop_doubles(b)) {
         s->ne = segments;
         chain_segments(b);
         chain_corners(b);
