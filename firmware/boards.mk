@@ -8,7 +8,8 @@ CPU_nrf51    := -mcpu=cortex-m0
 OPT_rp2040   := -O2
 OPT_lm3s6965 := -Os -flto=auto
 # A function that is called once keeps a frame of its own there: 900 bytes of stack less.
-OPT_nrf51    := -Os -flto=auto -fno-inline-functions-called-once
+# What is taken out of loops needs registers that there are not: 1.2 KB of flash less, a quarter of a percent slower.
+OPT_nrf51    := -Os -flto=auto -fno-inline-functions-called-once -fno-tree-loop-im -fno-move-loop-invariants -flive-range-shrinkage
 # 256 KB of flash hold every system but the area sort. Fast is what runs for each step; all else is small.
 FAST_lm3s6965 := $(filter-out $(addprefix src/motion/,motion.c machine.c planner.c kinematics.c),$(wildcard src/motion/*.c)) $(wildcard hal/port/*.c hal/lm3s6965/*.c) src/num/wide.c src/num/ints.c src/num/num.c
 $(FAST_lm3s6965:%.c=$(BUILDDIR)/firmware/lm3s6965/%.o): OPT_lm3s6965 := -O2

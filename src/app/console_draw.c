@@ -61,13 +61,13 @@ static int find_share(console_t *c, const plot_t *plot, void *memory, picture_ho
         int err = picture_try(&c->picture, plot, memory, c->picture_bytes, hooks);
         if (c->realtime.cancelled) return ERR_STOPPED;
         hooks->measured = true;
-        if (share > PICTURE_SHARE_HIDING && c->picture.stats.hidden.strips < 2) break; /* it has none */
+        hooks->strips = c->picture.strips.ends;
         if (!err && c->picture.pieces_most > hooks->waiting)
             hooks->waiting = c->picture.pieces_most; /* once more, to see whether they have room */
         else if (err != ERR_FULL)
             return err;
         else
-            share++;
+            share += share < PICTURE_SHARE_HIDING && c->picture.gave_all ? PICTURE_SHARE_STRIPS - share : 1;
     }
     return too_large(c, plot);
 }

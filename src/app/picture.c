@@ -62,6 +62,7 @@ void *picture_kernel_memory(picture_t *p, size_t *bytes) {
         size_t want = share == PICTURE_SHARE_SMOOTH ? hiding_bytes(p->plot, EACH_SMOOTH, false) : most;
         if (want > most) want = most;
         if (want > *bytes) *bytes = want;
+        p->gave_all = *bytes == most;
     }
     return arena_take(&p->arena, *bytes);
 }
@@ -280,7 +281,7 @@ size_t picture_bytes_least(const plot_t *plot) {
     const size_t rest = 2 * PATH_BYTES_MIN + WAITING_BYTES(CONFIG_WAITING) + 16;
     if (!is_grid(plot) || plot->n > 1) return hiding_bytes(plot, EACH_ROUGH, false) + rest;
     const surface_t *f = &plot->item[0].surface; /* in as many strips as there are */
-    return perimeter_bytes_least(f->nx, (f->nx + f->ny) * EACH_ROUGH >> PICTURE_STRIPS_BITS) + rest;
+    return perimeter_bytes_least(f->nx, (f->nx + f->ny) * EACH_ROUGH / HIDDEN_STRIPS) + rest;
 }
 
 picture_progress_t picture_progress(const picture_t *p) {

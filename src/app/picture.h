@@ -32,8 +32,6 @@
 #define PICTURE_GRIDS_MAX (2 * CONFIG_PLOT_ITEMS) /* rows and columns of each item */
 #define PICTURE_LINES_MAX (PICTURE_GRIDS_MAX + 1) /* or a frame */
 
-#define PICTURE_STRIPS_BITS 4
-
 enum picture_stage {
     PICTURE_MEASURE, /* evaluating all points for their range */
     PICTURE_HIDE,    /* evaluating again if need be, hiding, joining */
@@ -47,13 +45,14 @@ enum picture_share {
     PICTURE_SHARE_USUAL,  /* half, or a quarter of a large block, to hiding */
     PICTURE_SHARE_SMOOTH, /* hiding gets as much as most smooth surfaces need, if that is more */
     PICTURE_SHARE_HIDING, /* ordering gets the least */
-    PICTURE_SHARE_STRIPS, /* and a surface is hidden in two strips one after the other (hidden_job_t) */
-    PICTURE_SHARES = PICTURE_SHARE_HIDING + 1 + PICTURE_STRIPS_BITS /* ... or in 4, 8, 16 */
+    PICTURE_SHARE_STRIPS, /* and a surface is hidden in strips one after the other (hidden_strips_t) */
+    PICTURE_SHARES
 };
 
 typedef struct picture_hooks {
     void *ctx;
     enum picture_share share;
+    uint16_t strips; /* PICTURE_SHARE_STRIPS: hidden_strips_t.ends; 0: two, as a start for picture_try */
     /* Called at the start of each stage with done == 0, and now and then with how much of it is done; may be NULL. */
     void (*progress)(void *ctx, enum picture_stage stage, int32_t done, int32_t of);
     /* Called before the first stroke of each pen, which has a number from 1 on; may be NULL. An error ends the drawing.
@@ -80,6 +79,8 @@ typedef struct picture {
     const picture_hooks_t *hooks;
     bool trial;                  /* only to see whether it fits */
     bool pauses;                 /* the kernel does */
+    bool gave_all;               /* to hiding: ordering has the least */
+    hidden_strips_t strips;      /* as picture_try found them */
     int32_t pieces, pieces_most; /* of ink in a trial: since the last pause, and the most between two */
     hidden_pause_t pause;
     waiting_t waiting;

@@ -55,10 +55,11 @@ void picture_hidden(picture_t *p, int32_t done, int32_t of, int32_t facets);
 void *picture_kernel_memory(picture_t *p, size_t *bytes);
 /* For the job of a kernel that pauses; to be called before picture_open. NULL if it need not. */
 const hidden_pause_t *picture_pause(picture_t *p);
-/* In how many strips is a surface hidden, to save memory? */
-static inline int32_t picture_strips(const picture_t *p) {
-    const int more = p->hooks ? (int)p->hooks->share - PICTURE_SHARE_HIDING : 0;
-    return more > 0 ? 1 << more : 1;
+/* The strips of a surface, to save memory, or NULL. */
+static inline hidden_strips_t *picture_strips(picture_t *p) {
+    if (!p->hooks || p->hooks->share != PICTURE_SHARE_STRIPS) return NULL;
+    p->strips = (hidden_strips_t){p->hooks->strips ? p->hooks->strips : HIDDEN_TWO_STRIPS, p->trial};
+    return &p->strips;
 }
 
 #endif

@@ -22,6 +22,16 @@ static inline int hidden_pause(const hidden_pause_t *p) {
     return CONFIG_WAITING > 0 && p != NULL && *p->wanted ? p->pause(p->ctx) : 0;
 }
 
+/* One surface without holes may be hidden in strips of the abscissa, one after the other (strip.h): the same ink in
+ * another order, ended where it passes from one into the next. The horizons then take a part of their memory, and what
+ * lies across a border is done in both. Strips are told in HIDDEN_STRIPS-ths of the whole. */
+#define HIDDEN_STRIPS 16
+typedef struct hidden_strips {
+    uint16_t ends; /* bit k: one ends at k + 1; the last bit is always set */
+    bool divide;   /* one that is ERR_FULL is halved and tried again; what it has drawn comes again, too */
+} hidden_strips_t;
+#define HIDDEN_TWO_STRIPS ((uint16_t)(1u << (HIDDEN_STRIPS - 1) | 1u << (HIDDEN_STRIPS / 2 - 1)))
+
 /* The job's surroundings. All of it must stay valid until the kernel returns; nothing is kept afterwards. */
 typedef struct hidden_job {
     void *mem;              /* working memory, aligned to 8 bytes; contents need not be cleared */
@@ -29,9 +39,7 @@ typedef struct hidden_job {
     const ink_sink_t *sink; /* takes the visible pieces; an error it returns ends the kernel */
     void (*tick)(void *ctx, int32_t done, int32_t of); /* once a row (profile), for progress; may be NULL */
     void *tick_ctx;
-    int32_t strips; /* perimeter: if more than 1, one surface without holes is hidden in so many strips one after the
-                       other (strip.h). The same ink in another order, ended where it passes from one into the next; as
-                       many times the time, and the horizons take a part */
+    hidden_strips_t *strips;     /* perimeter; NULL: as a whole */
     const hidden_pause_t *pause; /* perimeter, horizon; may be NULL */
 } hidden_job_t;
 

@@ -69,18 +69,24 @@ static int outer_facet(sweep_t *s, int32_t i, int32_t inner, int far, bool fresh
 static int facets_row(sweep_t *s, int far, bool fresh) {
     const chart_t *c = &s->edges.chart;
     const int32_t nx = c->grid->nx, i0 = c->i0;
+    const chart_line_t *line = s->layer->line; /* what the strip lacks is passed over */
+    const int32_t first = pencil_max(line[0].first, line[1].first), end = pencil_min(line[0].last, line[1].last);
     s->edges.horizons.skip_upper = s->edges.horizons.skip_lower = false;
     int err = sweep_shade(s, s->layer, i0);
-    if (err == 0) err = outer_facet(s, i0, -1, far, fresh);
-    for (int32_t i = i0 + 1; i < nx - 1 && err == 0; i++) {
+    if (err == 0 && i0 >= first && i0 < end) err = outer_facet(s, i0, -1, far, fresh);
+    for (int32_t i = pencil_max(i0 + 1, first); i < end && err == 0; i++) {
         err = sweep_shade(s, s->layer, i);
         if (err == 0) err = fresh ? outer_facet(s, i, i, far, true) : corner_facet(s, i, far, true);
     }
-    for (int32_t i = i0 - 1; i >= 0 && err == 0; i--) {
+    for (int32_t i = pencil_min(i0, end) - 1; i >= first && err == 0; i--) {
         err = sweep_shade(s, s->layer, i);
         if (err == 0) err = fresh ? outer_facet(s, i, i + 1, far, true) : corner_facet(s, i, far, false);
     }
     s->facets += nx - 1;
+    const int32_t right = pencil_max(0, end - pencil_max(i0 + 1, first)),
+                  left = pencil_max(0, pencil_min(i0, end) - first);
+    s->edges.clipped += (nx - 2 - right - left) * (fresh ? 3 : 2);
+    if (i0 < first || i0 >= end) s->edges.clipped += fresh ? 4 : 3;
     return err;
 }
 
@@ -104,13 +110,18 @@ static bool same_points(const grid_t *a, const grid_t *b) {
     return true;
 }
 
+static int end_of(const hidden_strips_t *s, int from) {
+    while (!(s->ends >> from & 1)) from++;
+    return from + 1;
+}
+
 static int draw(grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job, struct shaded *shaded,
                 hidden_stats_t *stats) {
     int64_t evaluated = 0;
     const bool several = n > 1 && CONFIG_PLOT_ITEMS > 1; /* else it need not be there */
     const bool windows = n > 1 || grid[0]->holes > 0;
-    const int32_t strips = windows || job->strips < 2 ? 1 : job->strips;
-    const enum edges_cover cover = windows ? COVER_WINDOWS : strips > 1 ? COVER_STRIP : COVER_HORIZONS;
+    hidden_strips_t whole = {1, false}, *strips = windows || job->strips == NULL ? &whole : job->strips;
+    const int of = strips == &whole ? 1 : HIDDEN_STRIPS;
     *stats = (hidden_stats_t){0};
     hidden_job_t rest = *job;
     HIDDEN_STATE(sweep_t, s, rest);
@@ -123,10 +134,13 @@ static int draw(grid_t *const grid[], int32_t n, const camera_t *cam, const hidd
     }
     const sweep_row_t row = several ? cells_row : windows ? holes_row : facets_row;
     int err = 0;
-    for (int32_t k = 0; k < strips && err == 0; k++) {
+    for (int from = 0; from < of && err == 0;) {
+        const int to = end_of(strips, from);
+        const enum edges_cover cover = windows ? COVER_WINDOWS : to - from < of ? COVER_STRIP : COVER_HORIZONS;
         memset(s, 0, sizeof *s);
-        s->number = k;
-        s->strips = strips;
+        s->from = from;
+        s->to = to;
+        s->of = of;
         err = sweep_init(s, grid, n, cam, job, cover);
 #if CONFIG_AREA
         s->shaded = shaded;
@@ -135,6 +149,13 @@ static int draw(grid_t *const grid[], int32_t n, const camera_t *cam, const hidd
 #endif
         if (err == 0) err = sweep_all(s, job, row);
         if (s->layer != NULL) sweep_account(s, stats);
+        if (err == ERR_FULL && strips->divide && to - from > 1) {
+            strips->ends |= (uint16_t)(1u << ((from + to) / 2 - 1));
+            err = 0;
+        } else {
+            from = to;
+            stats->strips++;
+        }
     }
     stats->bytes += HIDDEN_LENT(sweep_t);
     for (int32_t k = 0; k < n; k++) evaluated += grid[k]->evaluated;

@@ -3,11 +3,11 @@
 
 #define ONE_Q30 (INT32_C(1) << 30)
 
-void strip_init(strip_t *s, int32_t lo, int32_t hi, int k, int n) {
-    const int32_t width = (int32_t)(((uint32_t)hi - (uint32_t)lo) / (uint32_t)n);
-    s->from = k == 0 ? -ENVELOPE_LIMIT : lo + width * k;
-    s->to = k == n - 1 ? ENVELOPE_LIMIT : lo + width * (k + 1);
-    s->first = k == 0;
+void strip_init(strip_t *s, int32_t lo, int32_t hi, int from, int to) {
+    const int32_t width = (int32_t)(((uint32_t)hi - (uint32_t)lo) / HIDDEN_STRIPS);
+    s->from = from == 0 ? -ENVELOPE_LIMIT : lo + width * from;
+    s->to = to == HIDDEN_STRIPS ? ENVELOPE_LIMIT : lo + width * to;
+    s->first = from == 0;
 }
 
 static int32_t fraction_at(pencil_t p, pencil_t q, int32_t a) {

@@ -8,6 +8,7 @@
 #define STRIP_H
 
 #include "hidden/envelope.h"
+#include "hidden/hidden.h"
 
 #define STRIP_MARGIN 16 /* units by which the horizons reach beyond it */
 
@@ -18,8 +19,9 @@ typedef struct strip {
     int32_t cut_q30[2], keep_q30[2];
 } strip_t;
 
-/* Strip k of n over abscissae from lo to hi; the first and the last one go on for ever. */
-void strip_init(strip_t *s, int32_t lo, int32_t hi, int k, int n);
+/* From `from` to `to` of the HIDDEN_STRIPS (hidden.h) between abscissae lo and hi; the first and the last one go on for
+ * ever. */
+void strip_init(strip_t *s, int32_t lo, int32_t hi, int from, int to);
 
 /* Cuts the line p0-p1 off a little beyond the strip. False if nothing is left. */
 bool strip_cut(strip_t *s, pencil_t *p0, pencil_t *p1);

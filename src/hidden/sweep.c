@@ -39,10 +39,12 @@ size_t sweep_bytes(int32_t nx, int32_t layers, bool windows) {
            (size_t)nx * sizeof(chart_column_t) + 32 + OTHERS_BYTES(layers);
 }
 
-static void lay_out(layer_t *l, lender_t *from, size_t nx, bool around, bool windows) {
+/* points: to a row, if not nx. */
+static void lay_out(layer_t *l, lender_t *from, size_t nx, size_t points, bool around, bool windows) {
     l->column_run = lend(from, nx * sizeof(run_t));
     for (int k = 0; k < 2; k++) {
-        l->line[k].at = lend(from, nx * sizeof(pencil_t));
+        l->line[k].at = lend(from, points * sizeof(pencil_t));
+        l->line[k].first = 0;
         if (around) l->line[k].z = lend(from, nx * sizeof(int64_t));
         if (windows) {
             l->line[k].hole = lend(from, nx);
@@ -56,20 +58,22 @@ static void lay_out(layer_t *l, lender_t *from, size_t nx, bool around, bool win
     }
 }
 
+/* Abscissae beyond a strip's borders whose points are needed. */
+#define REACH (2 * STRIP_MARGIN)
+
 /* The abscissae of a grid seen from outside of it end at its corners. */
 static void set_strip(sweep_t *s) {
     const chart_t *c = &s->edges.chart;
-    layer_t *l = &s->layer[0];
+    const grid_t *g = c->grid;
     int32_t lo = -(2 << CHART_SECTOR_BITS), hi = 2 << CHART_SECTOR_BITS;
     if (c->kind != CHART_AROUND) {
         lo = INT32_MAX, hi = INT32_MIN;
         for (int k = 0; k < 4; k++) {
-            if (k % 2 == 0) chart_row(c, l->grid, k ? l->grid->ny - 1 : 0, &l->line[0]);
-            const int32_t a = l->line[0].at[k % 2 ? l->grid->nx - 1 : 0].a;
+            const int32_t a = chart_abscissa(c, k % 2 ? g->nx - 1 : 0, k / 2 ? g->ny - 1 : 0);
             lo = pencil_min(lo, a), hi = pencil_max(hi, a);
         }
     }
-    strip_init(&s->edges.strip, lo, hi, s->number, s->strips);
+    strip_init(&s->edges.strip, lo, hi, s->from, s->to);
 }
 
 int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
@@ -87,10 +91,15 @@ int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam,
     from.mem = (uint8_t *)(void *)column; /* what it does not use is for the horizons */
     from.left += (nx * sizeof(chart_column_t) + 7) / 8 * 8;
     lend(&from, chart_column_bytes(&e->chart));
+    size_t points = nx;
+    if (cover == COVER_STRIP) {
+        set_strip(s);
+        points = (size_t)chart_columns_over(&e->chart, e->strip.from - REACH, e->strip.to + REACH);
+    }
     for (int32_t m = 0; m < n; m++) {
         layer_t *l = &s->layer[m];
         *l = (layer_t){.grid = grid[m], .surface = (uint8_t)m};
-        lay_out(l, &from, nx, e->chart.kind == CHART_AROUND, windows);
+        lay_out(l, &from, nx, points, e->chart.kind == CHART_AROUND, windows);
         if (from.mem == NULL) return ERR_FULL;
         for (size_t i = 0; i < nx; i++) l->column_run[i] = (run_t){0, 0};
         l->seen = chart_seen(&e->chart, grid[m]);
@@ -104,7 +113,6 @@ int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam,
     if (from.mem == NULL) return ERR_FULL;
     s->fixed = job->bytes - from.left;
     e->several = n > 1;
-    if (cover == COVER_STRIP) set_strip(s);
     return edges_init(e, job->sink, cover, s->layer[0].seen, (pencil_t *)(void *)from.mem,
                       from.left / sizeof(pencil_t));
 }
@@ -117,7 +125,11 @@ static void fill(uint8_t *flag, const uint8_t *from, int32_t n) {
 static void load_lines(sweep_t *s, int k, int32_t j) {
     for (int32_t m = 0; m < s->layers; m++) {
         layer_t *l = &s->layer[m];
-        chart_row(&s->edges.chart, l->grid, j, &l->line[k]);
+        if (s->edges.cover == COVER_STRIP)
+            chart_row_over(&s->edges.chart, l->grid, j, s->edges.strip.from - REACH, s->edges.strip.to + REACH,
+                           &l->line[k]);
+        else
+            chart_row(&s->edges.chart, l->grid, j, &l->line[k]);
         if (s->edges.cover == COVER_WINDOWS) fill(l->row_done[k], NULL, l->grid->nx);
     }
 }
@@ -170,8 +182,8 @@ static int flush_columns(sweep_t *s) {
 
 int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row) {
     const chart_t *c = &s->edges.chart;
-    const int32_t rows = c->grid->ny - 1, of = s->strips * rows;
-    int32_t done = s->number * rows;
+    const int32_t rows = c->grid->ny - 1, of = s->of * rows, each = s->to - s->from;
+    int32_t done = s->from * rows;
     int err = 0;
     for (int up = 1; up >= (c->j0 > 0 ? 0 : 1) && err == 0; up--) {
         load_lines(s, 0, c->j0);
@@ -183,7 +195,7 @@ int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row) {
             if (err == 0) err = hidden_pause(s->pause);
             if (err == 0) err = flush_rows(s);
             if (j == c->j0) keep_done(s, false);
-            if (err == 0 && job->tick != NULL) job->tick(job->tick_ctx, ++done, of);
+            if (err == 0 && job->tick != NULL) job->tick(job->tick_ctx, done += each, of);
         }
     }
     return err != 0 ? err : flush_columns(s);
@@ -199,8 +211,7 @@ void sweep_account(const sweep_t *s, hidden_stats_t *stats) {
         stats->windows = s->edges.windows.used;
     }
     stats->facets = s->facets;
-    if (s->number == 0) stats->edges = s->edges.clipped; /* the next strip meets the same ones */
-    stats->strips = s->strips;
+    if (s->from == 0) stats->edges = s->edges.clipped; /* the next strip meets the same ones */
     stats->tests += h->count.tests;
     stats->crossings += h->count.crossings;
     stats->pieces += s->edges.runs.pieces;

@@ -42,9 +42,9 @@ typedef struct sweep {
     edges_t edges;
     layer_t *layer;
     int32_t layers;
-    enum facet_kind last;   /* of the corner facet before */
-    shade_t *shade;         /* what other surfaces hide of a vertical edge: two for each */
-    int32_t number, strips; /* the strip at hand, and of how many */
+    enum facet_kind last; /* of the corner facet before */
+    shade_t *shade;       /* what other surfaces hide of a vertical edge: two for each */
+    int32_t from, to, of; /* the strip at hand: of is 1, or HIDDEN_STRIPS */
 #if CONFIG_AREA
     struct shaded *shaded; /* hatches visible facets, or NULL (shaded.h) */
 #endif
@@ -61,7 +61,7 @@ typedef int (*sweep_row_t)(sweep_t *s, int far, bool fresh);
 size_t sweep_bytes(int32_t nx, int32_t layers, bool windows);
 
 /* Prepares a sweep over n surfaces on the same points (x, y) in job's memory.
- * s->number and s->strips tell which strip it is for, if there are several: COVER_STRIP. Returns 0 or ERR_FULL. */
+ * s->from, to and of tell which strip it is for in COVER_STRIP. Returns 0 or ERR_FULL. */
 int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
                enum edges_cover cover);
 

@@ -215,33 +215,124 @@ static inline int32_t raised(const rise_t *r, int32_t zi, int32_t s) {
 static void row_parallel(const chart_t *c, const rise_t *rise, num_t y, chart_line_t *line) {
     num_t dy = num_sub(y, c->y_ref);
     int32_t q = -plane_fixed(num_mul(c->turn[0], dy), c->x_bits), t = -plane_fixed(num_mul(c->turn[1], dy), c->z_bits);
-    for (int32_t i = 0; i < c->grid->nx; i++) {
+    for (int32_t i = line->first; i <= line->last; i++) {
         line->at[i] = (pencil_t){c->p[i] + q, raised(rise, line->at[i].w, c->s[i] + t)};
     }
 }
 
 static void row_north(const chart_t *c, const rise_t *rise, num_t y, chart_line_t *line) {
-    const int32_t nx = c->grid->nx, s = plane_z_of_v(&c->plane, y);
+    const int32_t s = plane_z_of_v(&c->plane, y);
     const int32_t q = c->sign > 0 ? -plane_u_of_v(&c->plane, y) : plane_u_of_v(&c->plane, y);
     const uint32_t r = plane_reciprocal(&c->plane, y);
     const int32_t *p = c->p;
     line->r = r;
-    for (int32_t i = 0; i < nx; i++) {
+    for (int32_t i = line->first; i <= line->last; i++) {
         line->at[i] = (pencil_t){plane_project(p[i] + q, r), plane_project(raised(rise, line->at[i].w, s), r)};
     }
 }
 
 static void row_east(const chart_t *c, const rise_t *rise, num_t y, chart_line_t *line) {
     const int32_t q = c->sign < 0 ? -plane_u(&c->plane, y) : plane_u(&c->plane, y);
-    for (int32_t i = 0; i < c->grid->nx; i++) {
+    for (int32_t i = line->first; i <= line->last; i++) {
         const chart_column_t *k = &c->column[i];
         line->at[i] = (pencil_t){plane_project(k->p + q, k->r), plane_project(raised(rise, line->at[i].w, k->s), k->r)};
     }
 }
 
-void chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line) {
+/* A row's abscissae: p + q, divided by a distance. */
+typedef struct across {
+    int32_t q;
+    uint32_t r; /* CHART_NORTH */
+} across_t;
+
+static across_t across_of(const chart_t *c, int32_t j) {
     const num_t y = y_at(c, j);
-    const int32_t nx = c->grid->nx;
+    if (c->kind == CHART_PARALLEL)
+        return (across_t){-plane_fixed(num_mul(c->turn[0], num_sub(y, c->y_ref)), c->x_bits), 0};
+    const bool north = c->kind == CHART_NORTH;
+    const int32_t q = north ? plane_u_of_v(&c->plane, y) : plane_u(&c->plane, y);
+    return (across_t){north == (c->sign > 0) ? -q : q, north ? plane_reciprocal(&c->plane, y) : 0};
+}
+
+static int32_t abscissa(const chart_t *c, across_t row, int32_t i) {
+    if (c->kind == CHART_PARALLEL) return c->p[i] + row.q;
+    if (c->kind == CHART_NORTH) return plane_project(c->p[i] + row.q, row.r);
+    return plane_project(c->column[i].p + row.q, c->column[i].r);
+}
+
+int32_t chart_abscissa(const chart_t *c, int32_t i, int32_t j) {
+    return abscissa(c, across_of(c, j), i);
+}
+
+/* Columns of a row before `a`, where abscissae rise by `sign` times the column. */
+static int32_t columns_before(const chart_t *c, across_t row, int32_t sign, int32_t a) {
+    int32_t lo = 0, hi = c->grid->nx;
+    while (lo < hi) {
+        const int32_t m = (lo + hi) / 2;
+        if (sign * abscissa(c, row, m) < sign * a) {
+            lo = m + 1;
+        } else {
+            hi = m;
+        }
+    }
+    return lo;
+}
+
+/* Of a row: columns from `first` on are at the stretch's beginning or beyond [0], at its end or before [1]; so are
+ * those before `end`. */
+typedef struct reach {
+    int32_t first[2], end[2];
+} reach_t;
+
+static reach_t reach_of(const chart_t *c, int32_t j, int32_t lo, int32_t hi) {
+    const across_t row = across_of(c, j);
+    const int32_t nx = c->grid->nx, sign = abscissa(c, row, 0) <= abscissa(c, row, nx - 1) ? 1 : -1;
+    const int32_t met = columns_before(c, row, sign, sign > 0 ? lo : hi);
+    const int32_t left = columns_before(c, row, sign, (sign > 0 ? hi : lo) + sign);
+    return sign > 0 ? (reach_t){{met, 0}, {nx, left}} : (reach_t){{0, met}, {left, nx}};
+}
+
+static reach_t join(reach_t a, reach_t b) {
+    for (int k = 0; k < 2; k++) {
+        a.first[k] = pencil_min(a.first[k], b.first[k]);
+        a.end[k] = pencil_max(a.end[k], b.end[k]);
+    }
+    return a;
+}
+
+/* A facet reaches into the stretch if one of its corners is at its beginning or beyond, and one at its end or before.
+ * Both facets' rows at a row of points are looked at as one: r is joined from three. */
+static void set_columns(const chart_t *c, reach_t r, chart_line_t *line) {
+    line->first = pencil_max(pencil_max(r.first[0], r.first[1]) - 1, 0);
+    line->last = pencil_min(pencil_min(r.end[0], r.end[1]), c->grid->nx - 1);
+}
+
+static void find_columns(const chart_t *c, int32_t j, int32_t lo, int32_t hi, chart_line_t *line) {
+    reach_t r = reach_of(c, j, lo, hi);
+    if (j > 0) r = join(r, reach_of(c, j - 1, lo, hi));
+    if (j + 1 < c->grid->ny) r = join(r, reach_of(c, j + 1, lo, hi));
+    set_columns(c, r, line);
+}
+
+int32_t chart_columns_over(const chart_t *c, int32_t lo, int32_t hi) {
+    int32_t most = 0;
+    if (c->kind >= CHART_AROUND) return c->grid->nx;
+    reach_t before = reach_of(c, 0, lo, hi), at = before;
+    for (int32_t j = 0; j < c->grid->ny; j++) {
+        const reach_t after = j + 1 < c->grid->ny ? reach_of(c, j + 1, lo, hi) : at;
+        chart_line_t line;
+        set_columns(c, join(join(before, at), after), &line);
+        most = pencil_max(most, line.last - line.first + 1);
+        before = at;
+        at = after;
+    }
+    return most;
+}
+
+/* line->first and last are set, and line->at[first] is where its memory begins. */
+static void fill_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line) {
+    const num_t y = y_at(c, j);
+    const int32_t nx = c->grid->nx, columns = line->last - line->first + 1;
     const bool plane = c->kind == CHART_NORTH || c->kind == CHART_EAST;
     line->j = j;
     if (c->kind == CHART_AROUND) {
@@ -251,15 +342,19 @@ void chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line) {
     }
     const rise_t rise = rise_of(c, g, plane ? c->plane.z_ref : c->z_ref);
     /* The heights come packed into the upper end of the row's points and are spread out from the front. */
-    int32_t *zi = (int32_t *)(void *)line->at + nx;
-    grid_row(g, j, zi, line->hole);
-    for (int32_t i = 0; i < nx; i++) line->at[i].w = zi[i];
+    pencil_t *at = line->at + line->first;
+    int32_t *zi = (int32_t *)(void *)at + columns;
+    if (columns == nx)
+        grid_row(g, j, zi, line->hole);
+    else
+        for (int32_t i = 0; i < columns; i++) grid_height(g, line->first + i, j, &zi[i]);
+    for (int32_t i = 0; i < columns; i++) at[i].w = zi[i];
     switch (c->kind) {
     case CHART_PARALLEL:
         row_parallel(c, &rise, y, line);
         break;
     case CHART_VERTICAL:
-        memset(line->at, 0, (size_t)nx * sizeof line->at[0]);
+        memset(at, 0, (size_t)columns * sizeof *at);
         break;
     case CHART_NORTH:
         row_north(c, &rise, y, line);
@@ -270,7 +365,28 @@ void chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line) {
     case CHART_AROUND:
         break;
     }
-    line->in_plane = pencil_abs(line->at[nx - 1].a - line->at[0].a) <= CHART_IN_PLANE;
+}
+
+void chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line) {
+    const int32_t nx = c->grid->nx;
+    line->at += line->first;
+    line->first = 0;
+    line->last = nx - 1;
+    fill_row(c, g, j, line);
+    if (c->kind != CHART_AROUND) line->in_plane = pencil_abs(line->at[nx - 1].a - line->at[0].a) <= CHART_IN_PLANE;
+}
+
+void chart_row_over(const chart_t *c, grid_t *g, int32_t j, int32_t lo, int32_t hi, chart_line_t *line) {
+    if (c->kind >= CHART_AROUND) {
+        chart_row(c, g, j, line);
+        return;
+    }
+    pencil_t *mem = line->at + line->first;
+    find_columns(c, j, lo, hi, line);
+    line->at = mem - line->first;
+    fill_row(c, g, j, line);
+    const across_t row = across_of(c, j);
+    line->in_plane = pencil_abs(abscissa(c, row, c->grid->nx - 1) - abscissa(c, row, 0)) <= CHART_IN_PLANE;
 }
 
 int64_t chart_unproject(int32_t u_q30, uint32_t g0, uint32_t g1) {

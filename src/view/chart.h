@@ -60,11 +60,12 @@ typedef struct chart {
 typedef struct chart_line {
     int32_t j;
     bool in_plane; /* the row is in a vertical plane through the eye, or so nearly that nobody could tell */
-    pencil_t *at;  /* nx points */
+    pencil_t *at;  /* points first .. last */
     int64_t *z;    /* nx heights relative to the eye (CHART_AROUND), less than 2^60, in the scale of w's numerator */
     uint8_t *hole; /* nx flags, or NULL when the grid has no holes */
-    int32_t dy;    /* CHART_AROUND */
-    uint32_t r;    /* CHART_NORTH: reciprocal of the row's distance */
+    int32_t first, last; /* columns: all but after chart_row_over. Before the first call: first is 0 */
+    int32_t dy;          /* CHART_AROUND */
+    uint32_t r;          /* CHART_NORTH: reciprocal of the row's distance */
 } chart_line_t;
 
 /* Chooses the chart for n grids over the same points (x, y), and a view. column: nx constants, must outlive c, as must
@@ -89,6 +90,13 @@ bool chart_row_has_eye(const chart_t *c, int32_t j);
 
 /* Fills in row j of grid g: line->at, and line->z, line->hole if they are not NULL. */
 void chart_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line);
+/* The same, but no more than the corners of facets that reach into abscissae from lo to hi: as many as
+ * chart_columns_over says, or fewer, down to none. line->at then points as far before the row's memory as there are
+ * columns before them. The grid has no holes. */
+void chart_row_over(const chart_t *c, grid_t *g, int32_t j, int32_t lo, int32_t hi, chart_line_t *line);
+int32_t chart_columns_over(const chart_t *c, int32_t lo, int32_t hi);
+/* Of a point of the grid; not in CHART_AROUND. */
+int32_t chart_abscissa(const chart_t *c, int32_t i, int32_t j);
 
 /* CHART_AROUND: the sector of a direction in plan, 0 south, 1 east, 2 north, 3 west (diagonals: north or south). */
 int chart_sector(int32_t dx, int32_t dy);

@@ -265,7 +265,7 @@ static void test_settings_are_kept(void **state) {
 static void test_too_large(void **state) {
     (void)state;
     fix_power_on(MOTION_BYTES_HOST + 3000);
-    fix_say("set isosamples 60,60\rsplot rand(0)\r", 10 * SECOND);
+    fix_say("set isosamples 120,120\rsplot rand(0)\r", 10 * SECOND);
     HEARD("The scene does not fit: it may need ");
     HEARD("Nothing was drawn");
     assert_int_equal(fix.edges, 0);
@@ -282,7 +282,7 @@ static void test_small_memory(void **state) {
     assert_true(fix.steps[0] > 10000);
     assert_int_equal(fix.console.stats.starved, 0);
     fix_say("memory\r", SECOND);
-    HEARD("picture: hiding 4664 of 6200\r\n");
+    HEARD("picture: hiding 4680 of 6200\r\n");
     HEARD("machine waited for the drawing: 0\r\n");
     printf("# 60 x 60 smooth surface in 6200 bytes: hiding took %zu, %lld strokes, pool full %lld times\n",
            fix.console.picture.stats.kernel_bytes, (long long)fix.console.picture.stats.path.strokes,
