@@ -31,6 +31,9 @@ IMAGES := $(BOARDS:%=$(FWDIR)/%.elf) $(FWDIR)/rp2040.bin
 # The step interrupt is worth its bytes on the smallest part, too.
 $(FWDIR)/nrf51/src/motion/stepgen_isr.o $(FWDIR)/nrf51/src/motion/stepgen_pulses.o $(FWDIR)/nrf51/hal/port/ahead.o $(FWDIR)/nrf51/hal/nrf51/player.o: OPT_nrf51 := -O2 -flto=auto
 
+# What the linker asks for when all else is compiled cannot be compiled with it.
+$(foreach b,$(BOARDS),$(FWDIR)/$b/firmware/strings.o): FW_CFLAGS += -Os -fno-lto -fno-builtin -fno-tree-loop-distribute-patterns
+
 $(FWDIR)/uf2: firmware/tools/uf2.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) -O2 -Wall -Wextra $< -o $@
