@@ -17,7 +17,26 @@ says 'ALARM: emergency stop, motors off; position unknown'
 says '^unlocked'
 scene bad_input $within
 says 'line is too long and was not taken'
-[ $board = nrf51 ] && return # its legs begin some ms after the simulator's: it takes that long to plan one
-scene homing $within 9
+# How many steps each motor takes between its changes of direction.
+legs() { # VCD
+    awk '/^\$var/ { name[$4] = $5 } /^\$end$/ { begun = 1 } !begun || !/^[01]/ { next }
+        { pin = name[substr($0, 2)]; m = substr(pin, 1, 1); up = /^1/ }
+        pin ~ /_dir/ { if (n[m]) print m, forward[m] ? n[m] : -n[m]; n[m] = 0; forward[m] = up }
+        pin ~ /_step/ && up { n[m]++ }
+        END { for (m in n) print m, forward[m] ? n[m] : -n[m] }' "$1" | sort -s -k1,1
+}
+if [ $board = nrf51 ]; then # it plans each leg for some ms, so a switch is met some steps sooner or later: its legs are those of the simulator within 30 steps
+    scene homing - 9
+    legs "$work/sim.vcd" >"$work/legs"
+    if legs "$work/emu.vcd" | paste "$work/legs" - | awk '{ d = $2 - $4; if ($1 != $3 || d > 30 || d < -30) bad = 1; said = said " " $1 $4 }
+        END { print "# nrf51 homing: legs in steps:" said; exit bad || NR < 6 }'; then
+        echo '[       OK ] nrf51 homing: the legs of the simulator'
+    else
+        bad 'homing: other legs than the simulator'
+        legs "$work/emu.vcd" | paste "$work/legs" -
+    fi
+else
+    scene homing $within 9
+fi
 says '^home'
 says '<Idle.MPos'
