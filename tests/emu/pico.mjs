@@ -36,6 +36,11 @@ ROM_NAMES.forEach((_, i) => {
   rom[(0x100 + 4 * i) / 2] = 0xbe00 | (ROM_FIRST + i);
   rom[(0x102 + 4 * i) / 2] = 0x4770;
 });
+export const power = { off: false }; // it may fail while the flash is busy: half of that is done then
+function half(from, bytes, old, ns) {
+  clock.tick(ns);
+  if (power.off) mcu.flash.set(old.subarray(bytes / 2), from + bytes / 2);
+}
 let writable = false;
 function romCall(code) {
   const r = core.registers;
@@ -49,12 +54,14 @@ function romCall(code) {
   else if (name === 'CX') writable = false;
   else if (name === 'RE') {
     if (!writable || r[0] & 4095 || r[1] & 4095) complain('flash', 'erase');
+    const old = mcu.flash.slice(r[0], r[0] + r[1]);
     mcu.flash.fill(0xff, r[0], r[0] + r[1]);
-    clock.tick(45e6);
+    half(r[0], r[1], old, 45e6);
   } else if (name === 'RP') {
     if (!writable || r[0] & 255 || r[2] & 255) complain('flash', 'program');
+    const old = mcu.flash.slice(r[0], r[0] + r[2]);
     for (let i = 0; i < r[2]; i++) mcu.flash[r[0] + i] &= mcu.readUint8(r[1] + i);
-    clock.tick((0.7e6 * r[2]) / 256);
+    half(r[0], r[2], old, (0.7e6 * r[2]) / 256);
   } else if (name === undefined) {
     complain('core', `breakpoint ${code}`);
   }

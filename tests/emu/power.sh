@@ -12,3 +12,40 @@ scene save_drawing $within 9
 says '^saved'
 again autorun $within
 says '^autorun'
+
+# The power fails while a scene is saved: when, is looked for by halves between a save that has not begun and one that is
+# done. Every time what is kept, read by the simulator, is the scene before or the new one; in some of them it was half written.
+power_cuts() { # most us that a save takes, halvings
+    name=cut scenes=tests/emu/scenes
+    rm -rf "$work/keep"
+    mkdir -p "$work/keep"
+    "run_$board" $scenes/cut_begin.stim 99 || bad 'cut: emulator'
+    cp "$work/keep/emu" "$work/first"
+    lo=0 hi=$1 torn=0
+    for i in $(seq "$2"); do
+        us=$(((lo + hi) / 2))
+        sed "s/+1500000 type @CUT/+$((1500000 + us)) quit/" $scenes/cut_save.stim >"$work/cut.stim"
+        cp "$work/first" "$work/keep/emu"
+        "run_$board" "$work/cut.stim" 99 || bad 'cut: emulator'
+        cp "$work/keep/emu" "$work/keep/sim"
+        timeout 60 "$build/emu/sim-$board" $scenes/cut_end.stim "$work/sim.vcd" "$work/sim.txt" 99 "$work/keep/sim"
+        said "$work/sim.txt" | tr -d '\r' >"$work/emu.said"
+        case $(sed -n '/print a/{n;p;}' "$work/emu.said")$(grep -c '^saved' "$work/emu.said") in
+        11) cmp -s "$work/first" "$work/keep/emu" || torn=$((torn + 1)) half=$us
+            lo=$us ;;
+        21) hi=$us ;;
+        *)
+            bad "cut after $us us: neither the old scene nor the new"
+            cat "$work/emu.said"
+            return
+            ;;
+        esac
+    done
+    if [ $torn -gt 0 ]; then
+        echo "[       OK ] $board: the power fails $2 times while a scene is saved; $torn times it was half written, and the old one is there"
+        echo "# $board: half written after $half us, done after $hi us"
+    else
+        bad "cut: never half written, between $lo and $hi us"
+    fi
+}
+if [ $board = rp2040 ]; then power_cuts 100000 5; else power_cuts 20000 9; fi

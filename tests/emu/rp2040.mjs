@@ -9,7 +9,7 @@
 // last 16 KB of flash for the next run. Any warning of the emulator fails the run.
 import { readFileSync, openSync, writeSync, closeSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
-import { mcu, core, clock, problems, complain, SIGNAL, BYTE_NS, watchPins, at, setInput, powerOn, keep, step, pass } from './pico.mjs';
+import { mcu, core, clock, problems, complain, SIGNAL, BYTE_NS, watchPins, at, setInput, power, powerOn, keep, step, pass } from './pico.mjs';
 
 const [image, stimFile, vcdFile, textFile, drawings, probeFile, ...probeArguments] = process.argv.slice(2);
 const probe = probeFile ? (await import(pathToFileURL(probeFile))).default : null;
@@ -67,7 +67,7 @@ function play(relative) {
       at(ns, () => setInput(name, value === '1'));
     } else if (s.verb === 'poke') at(ns, () => poke(...s.rest.split(' ').map(Number)));
     else if (s.verb === 'heal') at(ns, () => poked.forEach(([address, value]) => write16(address, value)));
-    else if (s.verb === 'quit') at(ns, () => (done = true));
+    else if (s.verb === 'quit') at(ns, () => (done = power.off = true));
     else complain('stim', s.verb);
   }
 }
