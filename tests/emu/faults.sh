@@ -14,6 +14,15 @@ if [ $board = rp2040 ]; then # QEMU's UARTs make no such errors
     says '^42.?$'
     says '^5.?$'
     says_times 4 'the line was damaged on its way and was not taken' 'four lines refused'
+    alone data_faults
+    says_times 3 'the line was damaged on its way and was not taken; the rows before it were. Send it again' 'three rows refused'
+    "$build/emu/sim-$board" tests/emu/scenes/data.stim "$work/sim.vcd" "$work/sim.txt" 1
+    if "$ridgeline" trace "$work/sim.vcd" "$work/emu.vcd" >"$work/difference" && grep -q '^same sequence' "$work/difference"; then
+        echo "[       OK ] $board data_faults: the drawing is that of the undamaged rows"
+    else
+        bad 'data_faults: another drawing'
+        head -3 "$work/difference"
+    fi
 fi
 if [ $board = nrf51 ]; then # QEMU has no model of its watchdog, but says what is written to it
     qemu_more='-d guest_errors,unimp'
