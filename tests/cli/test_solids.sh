@@ -117,6 +117,28 @@ endloop\r\nendfacet\r\nendsolid' "$zeros" >a.stl # the mark of UTF-8, Windows li
     near "$(ink a.seg)" "$(ink b.seg)"
 }
 
+# A net of cells that are not flat, and a mast of twisted sides through it: whichever way they are cut.
+cells_that_are_not_flat() {
+    awk 'BEGIN { n = 30; for (i = 0; i <= n; i++) for (j = 0; j <= n; j++) printf "v %.6f %.6f %.6f\n", i / 3, j / 3, sin(i * .7) * cos(j * .6)
+             for (i = 0; i < n; i++) for (j = 0; j < n; j++) { a = i * (n + 1) + j + 1; print "f", a, a + n + 1, a + n + 2, a + 1 }
+             for (k = 0; k < 9; k++) for (j = 0; j < 5; j++) { t = .3 * k + j * 1.2566
+                 printf "v %.6f %.6f %.6f\n", 5 + cos(t), 5 + sin(t), k * .5 - 1 }
+             b = (n + 1) * (n + 1) + 1
+             for (k = 0; k < 8; k++) for (j = 0; j < 5; j++) print "f", b + 5*k + j, b + 5*k + (j+1)%5, b + 5*k + 5 + (j+1)%5, b + 5*k + 5 + j }' >net.obj
+    for view in 55,30 80,110 'from 30,-20,9'; do
+        printf "set view $view\nsplot 'net.obj'\n" >a.gp
+        ridgeline plot a.gp -o a.seg
+        "$BUILDDIR/tools/judge_solid" a.seg net.obj >report || { cat report; return 1; }
+        awk -v view="$view" '{ v[$1] = $2 } END { print "# net, view " view ": of " v["places"] " places " v["judged"] " judged, " \
+            v["missing"] " missing, " v["false"] " false"; exit v["judged"] < .8 * v["places"] }' report
+    done
+    printf 'v 0 0 0\nv 1 0 0\nv 1 1 .1\nv .5 2 0\nv 0 1 0\nf 1 2 3 4 5\n' >five.obj
+    printf "splot 'five.obj'\n" >a.gp
+    ridgeline plot a.gp -o a.seg
+    expect_status 2 "$BUILDDIR/tools/judge_solid" a.seg five.obj 2>err
+    expect_text err 'more than four corners, and they are not in a plane: line 6'
+}
+
 # Edges that come close to the eye, for a scene a million times as large, and go on behind it: where nothing hides,
 # nothing is lost.
 close_to_the_eye() {
@@ -296,4 +318,4 @@ thousands_of_concave_parts() {
 run_tests a_surface_of_facets_is_the_surface formats_are_the_same_body a_binary_stl_is_read what_is_wrong_is_said damaged_files \
     rows_as_they_are_typed hidden_parts_are_dashed what_falls_together_is_drawn_once an_outline_is_closed \
     bodies_that_meet_have_seams thousands_of_concave_parts lines_and_lengths words_that_change_nothing_are_told smooth_twice \
-    close_to_the_eye
+    close_to_the_eye cells_that_are_not_flat

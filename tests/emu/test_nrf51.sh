@@ -3,7 +3,7 @@
 # interrupt in QEMU's model of the chip and are looked at by the main loop, so what they do comes some us late.
 board=nrf51
 . tests/emu/lib.sh
-for s in small smooth perspective corexy horizon rand sinc status data cubes halo; do scene $s 2; done
+for s in small smooth perspective corexy horizon rand sinc status data cubes typed halo; do scene $s 2; done
 for s in smooth60 rand60; do scene $s '2 rests'; done
 scene holes 2
 scene halo_ends 2

@@ -7,7 +7,9 @@
  * a step (0.0125 mm) around it agree. The rays are tested against every face whose picture is there (its plane, and
  * even-odd in the polygon): nothing here knows of bodies, outlines, convexity or a lattice, and scenes of a hundred
  * thousand faces take seconds. For scenes in front of the eye, and all on the page, or with the
- * corners of its drawing area (-p 10,10,287,200), beyond which nothing is asked; polygons must be flat.
+ * corners of its drawing area (-p 10,10,287,200), beyond which nothing is asked. A quadrilateral that is not flat may
+ * be cut along either diagonal: what one of the two would hide is not judged. Other polygons that are not flat are
+ * named, and not judged at all.
  *
  * Prints what it counted; exit status 0 when nothing is missing or false, 1 when something is, 2 when it cannot judge.
  */
@@ -31,6 +33,8 @@ typedef struct face {
     int first, n;
     vec_t normal; /* of length 1; 0 without an area */
     double size;
+    int line; /* of its file */
+    int bent; /* not 0: four corners that are not in a plane; s.part[bent - 1 ..]: two triangles for each diagonal */
 } face_t;
 
 typedef struct bins {
@@ -41,8 +45,8 @@ static struct {
     vec_t *vertex;
     double (*page)[2];
     int *corner, (*edge)[2];
-    face_t *face;
-    int nv, nc, nf, ne;
+    face_t *face, *part;
+    int nv, nc, nf, ne, np;
     double size, lo[2], hi[2]; /* lo, hi: of the page */
     page_view_t view;
     page_seg_t *seg;
@@ -102,9 +106,11 @@ static int read_obj(const char *name) {
     FILE *f = fopen(name, "r");
     static char line[1 << 20];
     const int before = s.nv;
+    int number = 0;
     if (!f) return complain("cannot open", name);
     while (fgets(line, sizeof line, f)) {
         double x, y, z;
+        number++;
         if (sscanf(line, " v %lf %lf %lf", &x, &y, &z) == 3) {
             s.vertex = grow(s.vertex, s.nv, sizeof *s.vertex);
             s.vertex[s.nv++] = (vec_t){x, y, z};
@@ -123,7 +129,7 @@ static int read_obj(const char *name) {
             continue;
         }
         s.face = grow(s.face, s.nf, sizeof *s.face);
-        s.face[s.nf++] = (face_t){.first = first, .n = n};
+        s.face[s.nf++] = (face_t){.first = first, .n = n, .line = number};
     }
     fclose(f);
     return 0;
@@ -131,6 +137,43 @@ static int read_obj(const char *name) {
 
 static int by_ends(const void *p, const void *q) {
     return memcmp(p, q, 2 * sizeof(int));
+}
+
+static void find_normal(face_t *f) {
+    vec_t n = {0, 0, 0};
+    const int *c = s.corner + f->first;
+    const vec_t o = s.vertex[c[0]];
+    for (int k = 1; k + 1 < f->n; k++) n = add(n, 1, cross(sub(s.vertex[c[k]], o), sub(s.vertex[c[k + 1]], o)));
+    f->size = sqrt(dot(n, n));
+    f->normal = f->size > 1e-14 * s.size * s.size ? unit(n) : (vec_t){0, 0, 0};
+}
+
+/* Are all corners in a plane, as the program has it: within 2^-26 of the scene? Otherwise both ways to cut it in two.
+ */
+static int find_bend(face_t *f) {
+    static const int cut[4][3] = {{0, 1, 2}, {0, 2, 3}, {1, 2, 3}, {1, 3, 0}};
+    double off = 0;
+    for (int k = 1; k < f->n; k++) {
+        const vec_t d = sub(s.vertex[s.corner[f->first + k]], s.vertex[s.corner[f->first]]);
+        off = fmax(off, fabs(dot(f->normal, d)));
+    }
+    if (off <= 1.5e-8 * s.size) return 0;
+    if (f->n > 4) {
+        char what[64];
+        snprintf(what, sizeof what, "line %d", f->line);
+        return complain("this polygon has more than four corners, and they are not in a plane", what);
+    }
+    f->bent = s.np + 1;
+    for (int k = 0; k < 4; k++) {
+        s.part = grow(s.part, s.np, sizeof *s.part);
+        s.part[s.np] = (face_t){.first = s.nc, .n = 3};
+        for (int i = 0; i < 3; i++) {
+            s.corner = grow(s.corner, s.nc, sizeof *s.corner);
+            s.corner[s.nc++] = s.corner[f->first + cut[k][i]];
+        }
+        find_normal(&s.part[s.np++]);
+    }
+    return 0;
 }
 
 /* Planes, pictures, and every edge once. */
@@ -150,14 +193,8 @@ static int prepare(void) {
     const vec_t side = sub(hi, lo);
     s.size = fmax(side.x, fmax(side.y, side.z));
     for (int f = 0; f < s.nf; f++) {
-        vec_t n = {0, 0, 0};
-        const int *c = s.corner + s.face[f].first;
-        for (int k = 1; k + 1 < s.face[f].n; k++) {
-            const vec_t o = s.vertex[c[0]];
-            n = add(n, 1, cross(sub(s.vertex[c[k]], o), sub(s.vertex[c[k + 1]], o)));
-        }
-        s.face[f].size = sqrt(dot(n, n));
-        s.face[f].normal = s.face[f].size > 1e-14 * s.size * s.size ? unit(n) : (vec_t){0, 0, 0};
+        find_normal(&s.face[f]);
+        if (find_bend(&s.face[f])) return 2;
     }
     qsort(s.edge, (size_t)s.ne, sizeof *s.edge, by_ends);
     int kept = 0;
@@ -242,21 +279,34 @@ static bool is_in_plane(const face_t *f, vec_t p) {
     return fabs(dot(f->normal, sub(p, s.vertex[s.corner[f->first]]))) < 1e-6 * s.size;
 }
 
-/* Is p, a place of the edge e, hidden? */
-static bool is_hidden(vec_t p, int e) {
+/* Is p, a place of the edge e, behind the flat face f? d: to the eye. */
+static bool is_behind(const face_t *f, vec_t p, vec_t d, int e) {
+    const double slope = dot(f->normal, d);
+    if (fabs(slope) < 1e-12 * sqrt(dot(d, d))) return false;
+    const double t = dot(f->normal, sub(s.vertex[s.corner[f->first]], p)) / slope;
+    if (t * sqrt(dot(d, d)) < 1e-7 * s.size || (s.view.eye.h && t >= 1) || !is_within(f, add(p, t, d))) return false;
+    return !is_in_plane(f, s.vertex[s.edge[e][0]]) || !is_in_plane(f, s.vertex[s.edge[e][1]]);
+}
+
+/* Is p, a place of the edge e, hidden? 1, 0; -1: that depends on how faces are cut. */
+static int is_hidden(vec_t p, int e) {
     const vec_t eye = {s.view.eye.x, s.view.eye.y, s.view.eye.z}, d = s.view.eye.h ? sub(eye, p) : eye;
     double at[2];
+    int hidden = 0;
     if (!on_page(p, at)) return false;
     for (int k = s.faces.head[cell_of(1, at[1]) * CELLS + cell_of(0, at[0])]; k >= 0; k = s.faces.next[k]) {
         const face_t *f = &s.face[s.faces.item[k]];
-        const double slope = dot(f->normal, d);
-        if (fabs(slope) < 1e-12 * sqrt(dot(d, d))) continue;
-        const double t = dot(f->normal, sub(s.vertex[s.corner[f->first]], p)) / slope;
-        if (t * sqrt(dot(d, d)) < 1e-7 * s.size || (s.view.eye.h && t >= 1) || !is_within(f, add(p, t, d))) continue;
-        if (is_in_plane(f, s.vertex[s.edge[e][0]]) && is_in_plane(f, s.vertex[s.edge[e][1]])) continue;
-        return true;
+        if (!f->bent) {
+            if (is_behind(f, p, d, e)) return 1;
+            continue;
+        }
+        const face_t *t = &s.part[f->bent - 1];
+        const bool one = is_behind(&t[0], p, d, e) || is_behind(&t[1], p, d, e),
+                   other = is_behind(&t[2], p, d, e) || is_behind(&t[3], p, d, e);
+        if (one && other) return 1;
+        if (one || other) hidden = -1;
     }
-    return false;
+    return hidden;
 }
 
 /* 1: p is visible, 0: it is hidden, and so is all around it; -1: that differs. */
@@ -268,7 +318,8 @@ static int state(vec_t p, int e) {
     const double small = 1e-5 * s.size;
     if (!on_page(p, at) || !on_page(add(p, small, u), moved)) return -1;
     const double r = STEP * small / hypot(moved[0] - at[0], moved[1] - at[1]);
-    const bool hidden = is_hidden(p, e);
+    const int hidden = is_hidden(p, e);
+    if (hidden < 0) return -1;
     for (int k = 0; k < 8; k++) {
         const double a = k * 0.78539816339744831;
         if (is_hidden(add(add(p, r * cos(a), u), r * sin(a), v), e) != hidden) return -1;
