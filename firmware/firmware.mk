@@ -7,7 +7,7 @@ FW_CFLAGS := -std=c11 -mthumb -ffreestanding -ffunction-sections -fdata-sections
 FW_LDFLAGS := -mthumb -nostartfiles --specs=nano.specs -Wl,--gc-sections -Wl,--fatal-warnings -Llinker
 FW_SRC   := $(wildcard firmware/*.c) $(CORE_SRC)
 
-.PHONY: firmware firmware-run flash-pico
+.PHONY: firmware firmware-run flash-pico flash-microbit
 firmware: ## build the images of all boards; prints flash, RAM and a bound of the stack
 	$(Q)sh .ci/deps.sh firmware
 	+$(Q)$(again) firmware-run
@@ -26,7 +26,7 @@ $(FWDIR)/$1.elf: $$(FW_OBJ_$1) linker/$1.ld linker/sections.ld
 	$$(Q)$(CROSS)gcc $$(CPU_$1) $$(OPT_$1) $(FW_LDFLAGS) -T linker/$1.ld -Wl,-Map=$$(@:.elf=.map) $$(FW_OBJ_$1) -o $$@
 endef
 $(foreach b,$(BOARDS),$(eval $(call board,$b)))
-IMAGES := $(BOARDS:%=$(FWDIR)/%.elf) $(FWDIR)/rp2040.bin
+IMAGES := $(BOARDS:%=$(FWDIR)/%.elf) $(FWDIR)/rp2040.bin $(FWDIR)/nrf51.hex
 
 # The step interrupt is worth its bytes on the smallest part, too.
 $(FWDIR)/nrf51/src/motion/stepgen_isr.o $(FWDIR)/nrf51/src/motion/stepgen_pulses.o $(FWDIR)/nrf51/hal/port/ahead.o $(FWDIR)/nrf51/hal/nrf51/player.o: OPT_nrf51 := -O2 -flto=auto
@@ -41,10 +41,20 @@ $(FWDIR)/rp2040.bin: $(FWDIR)/rp2040.elf $(FWDIR)/uf2
 	$(Q)$(CROSS)objcopy -O binary $< $@.raw
 	$(Q)$(FWDIR)/uf2 $@.raw $@ $(@:.bin=.uf2)
 
+$(FWDIR)/nrf51.hex: $(FWDIR)/nrf51.elf
+	$(Q)$(CROSS)objcopy -O ihex $< $@
+
 firmware-run: $(IMAGES)
 	$(Q)CROSS=$(CROSS) sh firmware/tools/sizes.sh $(FWDIR) $(BOARDS)
 
 flash-pico: ## how to bring the image onto a Raspberry Pi Pico
+	$(Q)sh .ci/deps.sh firmware
 	+$(Q)$(MAKE) --no-print-directory $(FWDIR)/rp2040.bin
 	@echo 'Hold BOOTSEL while plugging the Pico in, then copy $(FWDIR)/rp2040.uf2 to the drive RPI-RP2.'
 	@echo 'It restarts by itself; the console is on GP0 (out) and GP1 (in), 115200 8N1.'
+
+flash-microbit: ## how to bring the image onto a BBC micro:bit (version 1)
+	$(Q)sh .ci/deps.sh firmware
+	+$(Q)$(MAKE) --no-print-directory $(FWDIR)/nrf51.hex
+	@echo 'Plug the micro:bit (version 1, nRF51822) in, then copy $(FWDIR)/nrf51.hex to the drive MICROBIT.'
+	@echo 'It restarts by itself; the console is the serial port of its USB, 115200 8N1.'
