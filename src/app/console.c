@@ -148,8 +148,9 @@ int console_execute(console_t *c, char *line) {
             if (!err) err = console_command(c, number);
             if (err || *end != ';') return err;
             memset(line, ' ', (size_t)(end + 1 - line));
+        } else if (*end != ';') {
+            break;
         }
-        if (*end != ';') break;
     }
     return execute_part(c, line);
 }

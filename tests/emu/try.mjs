@@ -18,26 +18,30 @@ const say = (s) => process.stdout.write(s.replaceAll('\n', '\r\n'));
 
 // ---- the plotter: where the pen has been, in steps
 let strokes = [], place = [0, 0], on = false, down = false, begun = 0;
-const dir = [0, 0], STEP = [0, 2], DIR = [1, 3], PEN = 4, ENABLE = 5;
+const dir = [0, 0], STEP = [0, 2], DIR = [1, 3], ENABLE = 5, PEN_GPIO = 6;
+// What its pin is told, whatever a servo or solenoid makes of it.
+const isDown = () => ((mcu.pio[0].pinValues >> PEN_GPIO) & 1) === 1;
 watchPins((signal, active) => {
   const motor = STEP.indexOf(signal);
   if (motor >= 0 && active) {
+    if (isDown() && !down) strokes.push([[...place]]);
+    down = isDown();
     place[motor] += dir[motor] ? 1 : -1;
     if (down) strokes.at(-1).push([...place]);
   } else if (DIR.includes(signal)) dir[DIR.indexOf(signal)] = active;
-  else if (signal === PEN) {
-    down = active === 1;
-    if (down) strokes.push([[...place]]);
-  } else if (signal === ENABLE) {
+  else if (signal === ENABLE) {
     on = active === 1;
     if (on) begun = clock.nanos;
     else draw();
+    down = false;
     if (!on) place = [0, 0]; // motors off: wherever it is, the board takes it to be at home
   }
 });
 function draw() {
   if (strokes.length) {
-    const all = strokes.flat(), lo = [0, 1].map((k) => all.reduce((m, p) => Math.min(m, p[k]), Infinity)), hi = [0, 1].map((k) => all.reduce((m, p) => Math.max(m, p[k]), -Infinity));
+    const all = strokes.flat();
+    const lo = [0, 1].map((k) => all.reduce((m, p) => Math.min(m, p[k]), Infinity));
+    const hi = [0, 1].map((k) => all.reduce((m, p) => Math.max(m, p[k]), -Infinity));
     const edge = 2 * STEPS_PER_MM, size = [0, 1].map((k) => hi[k] - lo[k] + 2 * edge);
     // Points a tenth of a millimetre apart: a step shows as little as that of a pen.
     const thin = (s) => s.filter((p, i) => i % (STEPS_PER_MM / 8) === 0 || i === s.length - 1);

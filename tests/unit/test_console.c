@@ -84,6 +84,9 @@ static void test_several_on_a_line(void **state) {
     fix_forget();
     fix_say("load; print 7\r", 200 * SECOND);
     HEARD("\r\n7\r\n> ");
+    fix_forget();
+    fix_say("status; print 8; status; pen down; pen up; print 9; status; home=1\r", SECOND);
+    HEARD("Pen:up>\r\n8\r\n<Idle|MPos:0.000,0.000|Pen:up>\r\n9\r\n<Idle|MPos:0.000,0.000|Pen:up>\r\n> ");
 }
 
 static void test_editing(void **state) {
