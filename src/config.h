@@ -47,13 +47,17 @@
 #define CONFIG_PARAMETRIC CONFIG_AREA
 #endif
 
-/* if, do, while and `for` (0 or 1): 3 KB of flash. How many blocks may be open; how often loops may go round before
- * what was typed counts as caught in one. */
+/* if, do, while, `for`, and texts that are put together (0 or 1): 6 KB of flash. How many blocks may be open; how often
+ * loops may go round before what was typed counts as caught in one. */
 #ifndef CONFIG_CONTROL
 #define CONFIG_CONTROL CONFIG_AREA
 #endif
 #ifndef CONFIG_BLOCKS
 #define CONFIG_BLOCKS 8
+#endif
+/* Variables that hold text, with their names (bytes). */
+#ifndef CONFIG_TEXTS
+#define CONFIG_TEXTS (CONFIG_NAME_MAX * 4)
 #endif
 #ifndef CONFIG_TURNS
 #define CONFIG_TURNS 1000000

@@ -8,7 +8,7 @@ static int print_command(session_t *s, lexer_t *lx) {
     int err = 0;
     do {
         char number[VALUE_TEXT_MAX], *text = number;
-        if (lx->tok.kind == TOKEN_STRING) {
+        if (session_is_text(s, lx)) {
             text = s->frame_name[0]; /* lent: no data file is open now */
             err = session_string(s, lx, text, CONFIG_NAME_MAX + 1, "");
         } else {
@@ -64,7 +64,7 @@ static int reset_command(session_t *s, lexer_t *lx) {
     if (err) return err;
     set_reset(s);
     if (session) {
-        names_reset(&s->lang);
+        session_forget_names(s);
         s->last[0] = '\0';
         s->last_len = 0;
     }
@@ -126,6 +126,10 @@ int command_execute(session_t *s, lexer_t *lx) {
 #endif
 #if CONFIG_LOAD_DEPTH
     if (lx->tok.kind == '$') return block_command(s, lx);
+#endif
+#if CONFIG_CONTROL
+    int text = session_define_text(s, lx);
+    if (text) return text < 0 ? text : session_expect_end(s, lx);
 #endif
     int defined = expr_define(&s->lang, lx, &s->error);
     if (defined < 0) return defined;

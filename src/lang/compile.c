@@ -171,6 +171,21 @@ static void set_iterated(emit_t *e) {
 }
 #endif
 
+#if CONFIG_CONTROL
+/* exists("name"), behind its bracket: known now. */
+static int exists(compiler_t *c) {
+    lexer_t *lx = c->lx;
+    const lang_t *l = c->e.l;
+    const char *text = lexer_text(lx) + 1;
+    if (lx->tok.kind != TOKEN_STRING) return lexer_unexpected(lx, c->err, "the name of a variable in quotes expected");
+    const size_t len = lx->tok.len - 2;
+    const int s = names_find(l, SYMBOL_VARIABLE, text, len);
+    emit_constant(&c->e, value_int((s >= 0 && l->symbol[s].defined) || (l->texts && texts_get(l->texts, text, len))));
+    lexer_next(lx);
+    return lexer_accept(lx, ')') ? 1 : lexer_unexpected(lx, c->err, "')' expected");
+}
+#endif
+
 /* Returns 1 when the name was a whole operand, 0 when one is still expected, or an error. */
 static int name(compiler_t *c) {
     lexer_t *lx = c->lx;
@@ -178,6 +193,12 @@ static int name(compiler_t *c) {
     uint32_t len = lx->tok.len;
     int32_t column = lexer_column(lx);
     lexer_next(lx);
+#if CONFIG_CONTROL
+    if (lx->tok.kind == '(' && len == 6 && memcmp(text, "exists", 6) == 0) {
+        lexer_next(lx);
+        return exists(c);
+    }
+#endif
     if (lexer_accept(lx, '(')) return call(c, text, len, column);
     /* An assignment may stand wherever an expression starts. */
     bool starts = c->pending == 0 || precedence(&c->stack[c->pending - 1]) <= LOOSE;

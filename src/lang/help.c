@@ -126,6 +126,9 @@ static const topic_t topics[] = {
 #endif
     },
 #if CONFIG_CONTROL
+    {"te$xts",
+     "file = 'a.dat'    splot file title \"n = \".n    set title sprintf(\"%03d, %g\", i, x)    exists(\"file\")\n"
+     "Texts, variables that hold them, numbers and sprintf with dots between them, wherever a text is expected.\n"},
     {"loops", "do for [i=1:9:2] {...}    while (c) {...}    break    continue    if (c) {...} else {...}\n"
               "splot for [i=1:3] i*x*y: one element for each value of i. Blocks may go over many lines.\n"},
 #endif

@@ -14,6 +14,7 @@ void names_reset(lang_t *l) {
     l->degrees = false;
 #if CONFIG_CONTROL
     l->iterations = 0;
+    l->texts = NULL;
 #endif
     /* The largest part is left as it is: pool and stack are never read before they are written. */
     l->symbols = 0;

@@ -14,6 +14,7 @@
 
 #include "config.h"
 #include "lang/lang_error.h"
+#include "lang/texts.h"
 #include "lang/value.h"
 #include <stdbool.h>
 
@@ -52,6 +53,7 @@ typedef struct lang {
 #if CONFIG_CONTROL
     uint8_t iterated[LANG_ITERATED]; /* variables that `for` goes through now: what is compiled takes their values */
     uint8_t iterations;              /* of them */
+    const texts_t *texts;            /* for exists("name"), or NULL */
 #endif
     bool degrees;    /* what is compiled from now on measures angles in degrees */
     int32_t seed[2]; /* rand(); seed[0] == 0: not started. Any bits will do as a seed */

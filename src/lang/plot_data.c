@@ -180,7 +180,11 @@ int plot_data_read(session_t *s, session_source_t *src) {
         block_name(s, &lx, name, CONFIG_NAME_MAX + 1);
     } else
 #endif
+        if (src->name.tok.kind == TOKEN_STRING)
         lexer_string(&src->name, name, CONFIG_NAME_MAX + 1);
+#if CONFIG_CONTROL
+    if (src->file_name) memcpy(name, src->file_name, strlen(src->file_name) + 1);
+#endif
     int handle = s->port->open(s->port->ctx, name);
     if (handle < 0)
         return lang_error_set_name(&s->error, handle, src->column, "cannot read the data file", name, strlen(name));

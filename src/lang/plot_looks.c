@@ -3,6 +3,15 @@
 #include "lang/session_parts.h"
 
 static int title(session_t *s, lexer_t *lx, session_source_t *src) {
+#if CONFIG_CONTROL
+    if (!plot_is_plain(s, lx)) {
+        const char *text;
+        int err = plot_text(s, lx, &text);
+        src->title = text;
+        src->title_len = err ? 0 : (int32_t)strlen(text);
+        return err;
+    }
+#endif
     if (lx->tok.kind != TOKEN_STRING) return lexer_unexpected(lx, &s->error, "a text in quotes expected");
     src->title = lexer_text(lx) + 1;
     src->title_len = (int32_t)lx->tok.len - 2;

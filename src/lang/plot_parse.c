@@ -76,10 +76,36 @@ static bool ends_in(const char *name, int n, const char *suffix) {
     return n >= m && memcmp(name + n - m, suffix, (size_t)m) == 0;
 }
 
+#if CONFIG_CONTROL
+bool plot_is_plain(const session_t *s, const lexer_t *lx) {
+    lexer_t next = *lx;
+    lexer_next(&next);
+    return !session_is_text(s, lx) || (lx->tok.kind == TOKEN_STRING && next.tok.kind != '.');
+}
+
+int plot_text(session_t *s, lexer_t *lx, const char **text) {
+    char *at = s->plot.texts + s->plot.texts_len;
+    *text = at;
+    int err = session_string(s, lx, at, sizeof s->plot.texts - s->plot.texts_len, "a text in quotes expected");
+    if (!err) s->plot.texts_len += strlen(at) + 1;
+    return err;
+}
+#endif
+
 /* 'file', '-' for inline data, '' for the file before. */
 static int data_name(session_t *s, lexer_t *lx, session_source_t *src) {
     char *name = s->frame_name[0];
-    int n = lexer_string(lx, name, CONFIG_NAME_MAX + 1);
+    int n = 0;
+    const lexer_t at = *lx;
+#if CONFIG_CONTROL
+    if (!plot_is_plain(s, lx)) {
+        int err = plot_text(s, lx, &src->file_name);
+        if (err) return err;
+        n = (int)strlen(src->file_name);
+        memcpy(name, src->file_name, (size_t)n + 1);
+    } else
+#endif
+        n = lexer_string(lx, name, CONFIG_NAME_MAX + 1);
     if (n < 0)
         return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "the file's name is too long; most bytes",
                                      CONFIG_NAME_MAX);
@@ -99,9 +125,12 @@ static int data_name(session_t *s, lexer_t *lx, session_source_t *src) {
         while (before >= s->plot.source && before->kind != SOURCE_FILE) before--;
         if (before < s->plot.source) return session_fail(s, lx, ERR_VALUE, "no file was named before this");
         src->name = before->name;
+#if CONFIG_CONTROL
+        src->file_name = before->file_name;
+#endif
         src->solid = before->solid;
     }
-    lexer_next(lx);
+    if (lx->tok.start == at.tok.start) lexer_next(lx);
     return 0;
 }
 
@@ -138,10 +167,16 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
     src->spec.separator = s->separator;
     src->title = lexer_text(lx);
     int err;
-    if (lx->tok.kind == TOKEN_STRING) {
+    if (session_is_text(s, lx)) {
         src->spec.flat = kind == PLOT_CURVES;
         err = data_name(s, lx, src);
         src->title_len = (int32_t)(src->name.tok.len);
+#if CONFIG_CONTROL
+        if (!err && src->file_name) {
+            src->title = src->file_name;
+            src->title_len = (int32_t)strlen(src->title);
+        }
+#endif
         if (!err) err = plot_options_data(s, lx, src);
         if (!err) err = moves(s, lx, src);
 #if CONFIG_LOAD_DEPTH
@@ -201,6 +236,7 @@ int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind) {
     s->plot.code_len = 0;
 #if CONFIG_CONTROL
     s->plot.iterations = s->lang.iterations = 0;
+    s->plot.texts_len = 0;
 #endif
     if (s->logscale)
         return session_fail(s, lx, ERR_UNSUPPORTED, "logarithmic axes are not supported; draw log10() of it");

@@ -18,6 +18,14 @@ static bool in_block(const session_t *s) {
 #endif
 }
 
+void session_forget_names(session_t *s) {
+    names_reset(&s->lang);
+#if CONFIG_CONTROL
+    s->texts.used = 0;
+    s->lang.texts = &s->texts;
+#endif
+}
+
 void session_init(session_t *s, const session_port_t *port, void *pool, size_t pool_bytes) {
     memset(s, 0, sizeof *s);
     s->port = port;
@@ -26,7 +34,7 @@ void session_init(session_t *s, const session_port_t *port, void *pool, size_t p
     s->frames = 1;
     s->frame[0].handle = -1;
     session_forget_line(&s->frame[0]);
-    names_reset(&s->lang);
+    session_forget_names(s);
     set_reset(s);
 }
 

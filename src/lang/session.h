@@ -15,6 +15,7 @@
 #include "lang/expr.h"
 #include "lang/plot.h"
 #include "lang/settings.h"
+#include "lang/texts.h"
 #include "lang/words.h"
 #include "scene/data_reader.h"
 #include "scene/expr_surface.h"
@@ -107,7 +108,8 @@ typedef struct session_source {
     const char *title;
     int32_t title_len;
 #if CONFIG_CONTROL
-    bool iterated; /* stands behind `for` */
+    bool iterated;         /* stands behind `for` */
+    const char *file_name; /* in plot.texts; NULL: as `name` says */
 #endif
     expr_t expr;    /* of the element */
     expr_t part[3]; /* of using; of a parametric surface */
@@ -144,6 +146,8 @@ typedef struct session {
     bool quit;
 #if CONFIG_CONTROL
     int32_t turns; /* of loops, since the last line came in */
+    texts_t texts;
+    char scratch[CONFIG_NAME_MAX + 1];
 #endif
     bool logscale;                                      /* set logscale, nonlinear */
     enum { AXES_XY, AXES_PARAMETRIC, AXES_POLAR } axes; /* set parametric, polar: what expressions mean */
@@ -172,6 +176,8 @@ typedef struct session {
         range_t uv[2]; /* so too */
 #endif
 #if CONFIG_CONTROL
+        char texts[CONFIG_NAME_MAX + 1]; /* titles and names of files that were put together, one behind the other */
+        size_t texts_len;
         control_range_t iterated[CONFIG_BLOCKS]; /* by `for`: functions may change these until all is drawn */
         int32_t iterations;
 #endif

@@ -10,6 +10,8 @@
 
 /* session.c: the source of lines that is read now */
 session_frame_t *session_top(session_t *s);
+/* session.c: variables and functions, those that hold text, too */
+void session_forget_names(session_t *s);
 /* session_lines.c: the frame's logical line is forgotten; gets characters; is complete: either it is to be continued or
  * begins to be executed. */
 void session_forget_line(session_frame_t *f);
@@ -34,8 +36,18 @@ int session_expect_end(session_t *s, const lexer_t *lx);
 void session_skip(lexer_t *lx);
 /* An error at the current token. */
 int session_fail(session_t *s, const lexer_t *lx, int code, const char *message);
-/* Copies the string at lx, which must be one, and goes on. size bytes with the zero. */
+/* session_text.c: copies the text at lx, which must be one, and goes on. size bytes with the zero. */
 int session_string(session_t *s, lexer_t *lx, char *out, size_t size, const char *expected);
+#if CONFIG_CONTROL
+bool session_is_text(const session_t *s, const lexer_t *lx);
+/* `name = text`: 1 if it was that, 0 with lx untouched, or an error. */
+int session_define_text(session_t *s, lexer_t *lx);
+#else
+static inline bool session_is_text(const session_t *s, const lexer_t *lx) {
+    (void)s;
+    return lx->tok.kind == TOKEN_STRING;
+}
+#endif
 /* `what word why`, with the line, for people. */
 void session_warn(session_t *s, const char *what, const char *word, size_t len, const char *why);
 /* The same once for each bit. */
@@ -133,6 +145,9 @@ int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind);
  * variables have what they had. */
 int plot_element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_params_t *params);
 #if CONFIG_CONTROL
+/* plot_parse.c: is the text at lx one that stands in the line as it is; one that is put together, kept for the plot */
+bool plot_is_plain(const session_t *s, const lexer_t *lx);
+int plot_text(session_t *s, lexer_t *lx, const char **text);
 int plot_iteration(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_params_t *params);
 int plot_iteration_check(session_t *s);
 void plot_iteration_end(session_t *s);

@@ -18,15 +18,6 @@ int session_fail(session_t *s, const lexer_t *lx, int code, const char *message)
     return lang_error_set(&s->error, code, lexer_column(lx), message);
 }
 
-int session_string(session_t *s, lexer_t *lx, char *out, size_t size, const char *expected) {
-    if (lx->tok.kind != TOKEN_STRING) return lexer_unexpected(lx, &s->error, expected);
-    if (lexer_string(lx, out, size) < 0)
-        return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "too long for its buffer",
-                                     (int32_t)size - 1);
-    lexer_next(lx);
-    return 0;
-}
-
 void session_warn(session_t *s, const char *what, const char *word, size_t len, const char *why) {
     char buf[160];
     text_t t = text_start(buf, sizeof buf - 1);
