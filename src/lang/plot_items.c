@@ -31,7 +31,7 @@ static bool data_extent(session_t *s, int k, num_t out[2]) {
     }
 #if CONFIG_PARAMETRIC
     for (int32_t i = 0; i < s->plot.sources; i++)
-        if (s->plot.source[i].curved) any = widen(out, s->plot.source[i].extent[k], any);
+        if (session_is_curved(&s->plot.source[i])) any = widen(out, s->plot.source[i].extent[k], any);
 #endif
     return any;
 }

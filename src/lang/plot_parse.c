@@ -195,9 +195,6 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
                                    lx->tok.len);
     } else {
         src->kind = SOURCE_EXPR;
-#if CONFIG_PARAMETRIC
-        src->curved = false;
-#endif
         src->parametric = CONFIG_PARAMETRIC && s->axes == AXES_PARAMETRIC && kind == PLOT_SURFACES;
         if (s->axes != AXES_XY && !src->parametric)
             return session_fail(s, lx, ERR_UNSUPPORTED, "parametric and polar plots of this kind are not supported");

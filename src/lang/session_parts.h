@@ -161,7 +161,7 @@ int plot_data_failed(session_t *s, const session_source_t *src, int err);
 int plot_data_read(session_t *s, session_source_t *src);
 static inline bool session_is_curved(const session_source_t *src) {
 #if CONFIG_PARAMETRIC
-    return src->curved;
+    return src->kind != SOURCE_EXPR && src->curved;
 #else
     return (void)src, false;
 #endif

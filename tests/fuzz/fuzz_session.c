@@ -74,7 +74,9 @@ static int draw(void *ctx, const plot_t *plot) {
     for (int k = 0; k < plot->n; k++) {
         const plot_item_t *item = &plot->item[k];
         for (int32_t i = 0; i < item->title_len; i++) seen += (size_t)item->title[i];
-        if (plot->kind == PLOT_SURFACES) {
+        if (plot->kind == PLOT_SOLIDS && !item->solid) {
+            look(&item->surface);
+        } else if (plot->kind == PLOT_SURFACES) {
             look(&item->surface);
             look(&item->rows);
             look(&item->cols);

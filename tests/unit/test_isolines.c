@@ -98,6 +98,10 @@ static void points_stay_where_they_are(void **state) {
     assert_int_equal(fixture_feed(f, "splot '-'\n0 0 0\n1 1 1\n\n-1 1 1\n0 2 0\ne"), 0);
     assert_int_equal(fixture_feed(f, "replot x"), 0);
     assert_string_equal(elements(&f->mesh), "f0,1,3,2");
+    /* which a command that is wrong leaves alone */
+    assert_int_equal(fixture_feed(f, "splot x y"), ERR_SYNTAX);
+    assert_int_equal(fixture_feed(f, "replot"), 0);
+    assert_string_equal(elements(&f->mesh), "f0,1,3,2");
     assert_int_equal(fixture_feed(f, "splot x"), 0);
     assert_int_equal(f->kind, PLOT_SURFACES);
     assert_int_equal(f->mesh_items, 0);
