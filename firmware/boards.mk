@@ -29,6 +29,6 @@ CONFIG_rp2040 += CONFIG_DIVIDES=0
 CONFIG_nrf51 += CONFIG_DIVIDES=0
 # A servo is the Pico's.
 CONFIG_lm3s6965 += CONFIG_PEN_SERVO=0
-CONFIG_nrf51 += CONFIG_PEN_SERVO=0 CONFIG_FED=0
+CONFIG_nrf51 += CONFIG_PEN_SERVO=0 CONFIG_FED=0 CONFIG_ROW_POINTS=1
 # UNSET=CONFIG_STEP_RATE (with a BUILDDIR of its own): what the boards refuse otherwise (make bench-rates).
 UNSET ?=

@@ -120,6 +120,12 @@ _Static_assert(CONFIG_DATA_COLUMNS < 64, "data_reader keeps one bit per column i
 #define CONFIG_STACK 1024
 #endif
 
+/* Points of a row that are evaluated at once, at most 32: each operation is then decoded once for all of them. 16 bytes
+ * of the machine's stack each where heights are measured or hidden, and 1.5 KB of code; 1: none. */
+#ifndef CONFIG_ROW_POINTS
+#define CONFIG_ROW_POINTS 16
+#endif
+
 /* User functions under way at once, which is the limit of recursion: 8 bytes each (16 on 64-bit machines). gnuplot's
  * limit is 250 too. */
 #ifndef CONFIG_CALLS

@@ -173,6 +173,7 @@ size_t hoist_init(lang_t *lang, const expr_t *x, bool pure, int32_t columns, voi
     for (int32_t i = 0; i < columns; i++) h->table[i * (1 + (apart ? p.per_column : 0))].kind = VALUE_UNDEF;
     h->of_row[0].kind = VALUE_UNDEF;
     if (apart) take_apart(h, &p, &flat, (uint8_t *)mem + used);
+    if (EVAL_ROW_MAX > 1 && pure) h->width = eval_row_width(h->point.code);
     return used + code + table;
 }
 
@@ -189,7 +190,10 @@ static int run(hoist_t *h, const expr_t *part, num_t v, int slot, int n, value_t
 }
 
 int hoist_column(hoist_t *h, int32_t i, num_t x) {
-    return run(h, &h->column, x, FIRST, h->per_column, &h->table[i * (1 + h->per_column)]);
+    value_t *column = &h->table[i * (1 + h->per_column)];
+    int err = run(h, &h->column, x, FIRST, h->per_column, column);
+    if (EVAL_ROW_MAX > 1) h->column_dead |= column->kind == VALUE_UNDEF;
+    return err;
 }
 
 int hoist_row(hoist_t *h, num_t y) {
@@ -211,4 +215,23 @@ int hoist_point(const hoist_t *h, int32_t i, value_t *out) {
     for (int k = 0; k < h->per_column; k++) *to++ = *column++;
     for (int k = 1; k <= h->per_row; k++) *to++ = h->of_row[k];
     return expr_run(h->lang, &h->point, out);
+}
+
+int hoist_points(const hoist_t *h, int32_t i, int n, num_t *out) {
+    const int32_t stride = 1 + h->per_column;
+    const bool at_once = EVAL_ROW_MAX > 1 && h->width > 0 && !h->row_dead && !h->column_dead;
+    int err = 0;
+    for (int done = 0, some; done < n; done += some) {
+        some = !at_once ? 1 : n - done < h->width ? n - done : h->width;
+        const eval_row_t row = {h->point.code, &h->table[(i + done) * stride], stride, h->per_column, h->per_row,
+                                h->of_row};
+        if (at_once && eval_row(h->lang, &row, h->width, some, out + done)) continue;
+        for (int k = done; k < done + some; k++) {
+            value_t v;
+            int failed = hoist_point(h, i + k, &v);
+            if (!err) err = failed;
+            out[k] = value_num(v);
+        }
+    }
+    return err;
 }

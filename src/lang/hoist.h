@@ -9,7 +9,7 @@
 #ifndef HOIST_H
 #define HOIST_H
 
-#include "lang/expr.h"
+#include "lang/eval_row.h"
 
 #define HOIST_MAX (CONFIG_PARTS / 8 < 120 ? CONFIG_PARTS / 8 : 120) /* values of a column and a row together */
 
@@ -19,6 +19,8 @@ typedef struct hoist {
     uint8_t per_column, per_row;
     bool anywhere;                 /* the owner's: the only column is that of the place asked for last */
     bool row_dead;                 /* the row's part is undefined, so are all its points */
+    bool column_dead;              /* so is one of the columns' */
+    uint8_t width;                 /* points that can be evaluated at once, 0: one by one */
     value_t *table;                /* of each column: x, and its values */
     value_t of_row[1 + HOIST_MAX]; /* y, and the row's values */
 } hoist_t;
@@ -32,6 +34,8 @@ int hoist_column(hoist_t *h, int32_t i, num_t x);
 int hoist_row(hoist_t *h, num_t y);
 /* The expression at column i of the last row. */
 int hoist_point(const hoist_t *h, int32_t i, value_t *out);
+/* Heights of columns i to i + n - 1 in the last row; each as hoist_point gives it. */
+int hoist_points(const hoist_t *h, int32_t i, int n, num_t *out);
 
 /* Has this column, or row, been evaluated last? An undefined one has not, and all are undefined at first. */
 static inline bool hoist_is(const value_t *last, num_t v) {

@@ -30,8 +30,17 @@ static inline num_t num_double_make(int64_t m, int32_t e) {
     return (num_t){m, e, false};
 }
 
-/* sign(s) * u * 2^e, u in [2^63, 2^64), whose lowest bit also stands for everything below it. */
+/* sign(s) * u * 2^e, u in [2^62, 2^63), whose lowest bit also stands for everything below it. */
+static inline num_t num_double_round_half(uint64_t u, int32_t e, int64_t s) {
+    u += 0x1FFu + ((uint32_t)u >> 10 & 1);
+    u &= ~(uint64_t)0x3FF;
+    if (NUM_FAST_RARE(u >> 63)) return num_double_make(ints_with_sign((uint64_t)1 << 62, s), e + 1);
+    return num_double_make(ints_with_sign(u, s), e);
+}
+
+/* The same of twice that size: u in [2^63, 2^64). */
 static inline num_t num_double_round(uint64_t u, int32_t e, int64_t s) {
+    if (NUM_DOUBLE_NARROW) return num_double_round_half(u >> 1 | (u & 1), e + 1, s);
     uint64_t r = (u + 0x3FF + (u >> 11 & 1)) & ~(uint64_t)0x7FF; /* wraps to 0 when it carries into 2^64 */
     if (NUM_FAST_RARE(r == 0)) return num_double_make(ints_with_sign((uint64_t)1 << 62, s), e + 2);
     return num_double_make(ints_with_sign(r >> 1, s), e + 1);
@@ -40,24 +49,64 @@ static inline num_t num_double_round(uint64_t u, int32_t e, int64_t s) {
 /* The nearest double. */
 static inline num_t num_double(num_t a) {
     if (a.m == 0) return a;
-    return num_double_round(ints_abs64(a.m) << 1, a.e - 1, a.m);
+    return num_double_round_half(ints_abs64(a.m), a.e, a.m);
+}
+
+/* Is there nothing but zero or undefined: a normalised significand shows it in its upper word. */
+static inline bool num_double_rare(num_t a, num_t b) {
+    if (NUM_DOUBLE_NARROW) return NUM_FAST_RARE((int32_t)(a.m >> 32) == 0 || (int32_t)(b.m >> 32) == 0);
+    return NUM_FAST_RARE(a.m == 0 || b.m == 0);
+}
+
+/* A sum of two of one sign, neither of them zero, for a core of 32 bits: nothing cancels, the top is where it was or
+ * one higher. Branches cost it little, words on the stack much: a third of the time of the general way. */
+static inline num_t num_double_add_narrow(num_t a, num_t b) {
+    int32_t d = a.e - b.e, e = a.e;
+    int64_t big = a.m, small = b.m;
+    if (d < 0) {
+        d = -d;
+        e = b.e;
+        big = b.m;
+        small = a.m;
+    }
+    if (NUM_FAST_RARE(d > 63)) return (num_t){big, e, false};
+    const bool negative = big < 0;
+    if (negative) {
+        big = -big;
+        small = -small;
+    }
+    uint32_t low = (uint32_t)small, high = (uint32_t)(small >> 32), lost = 0;
+    if (d >= 32) {
+        lost = low;
+        low = high;
+        high = 0;
+        d -= 32;
+    }
+    if (d > 0) {
+        lost |= low << (32 - d);
+        low = low >> d | high << (32 - d);
+        high >>= d;
+    }
+    uint64_t u = (uint64_t)big + ((uint64_t)high << 32 | low);
+    if (u >> 63) {
+        lost |= (uint32_t)u & 1;
+        u >>= 1;
+        e++;
+    }
+    num_t r = num_double_round_half(u | (lost != 0), e, 0);
+    if (negative) r.m = -r.m;
+    return r;
 }
 
 /* As num_fast_add, which has the reasons, but for the rounding. */
 static inline num_t num_double_add(num_t a, num_t b) {
-    if (NUM_FAST_RARE(a.m == 0 || b.m == 0)) return num_fast_add_rare(a, b);
+    if (num_double_rare(a, b)) return num_fast_add_rare(a, b);
+    if (NUM_DOUBLE_NARROW && (a.m ^ b.m) >= 0) return num_double_add_narrow(a, b);
     int32_t d = a.e - b.e, e = d < 0 ? b.e : a.e;
     int64_t big = d < 0 ? b.m : a.m, small = d < 0 ? a.m : b.m;
     d = d < 0 ? -d : d;
     if (NUM_FAST_RARE(d > 63)) return (num_t){big, e, false};
     int64_t sign = big >> 63, S = (small ^ sign) - sign;
-    /* Of one sign: nothing cancels, the top is where it was or one higher. A core of 32 bits takes half the time so,
-     * and has no branches to mispredict. */
-    if (NUM_DOUBLE_NARROW && S >= 0) {
-        uint64_t u = ints_abs64(big) + ((uint64_t)S >> d);
-        const bool more = d > 0 && (uint64_t)S << (64 - d) != 0;
-        return u >> 63 ? num_double_round(u | more, e, sign) : num_double_round(u << 1 | more, e - 1, sign);
-    }
     uint64_t u = ints_abs64(big) + (uint64_t)(S >> d), lo = ((uint64_t)S << 1) << (63 - d);
     int64_t flip = (S & (int64_t)u) >> 63;
     u = (u ^ (uint64_t)flip) - (uint64_t)flip;
@@ -70,12 +119,22 @@ static inline num_t num_double_add(num_t a, num_t b) {
 }
 
 static inline num_t num_double_mul(num_t a, num_t b) {
-    if (NUM_FAST_RARE(a.m == 0 || b.m == 0)) return num_fast_mul_rare(a, b);
+    if (num_double_rare(a, b)) return num_fast_mul_rare(a, b);
     wide_u_t p = wide_mul_u64(ints_abs64(a.m) << 1, ints_abs64(b.m) << 1); /* its top is at bit 126 or 127 */
+    int32_t e = a.e + b.e + 62;
+    if (NUM_DOUBLE_NARROW) {
+        uint32_t lost = (uint32_t)p.lo | (uint32_t)(p.lo >> 32);
+        if (p.hi >> 63) {
+            lost |= (uint32_t)p.hi & 1;
+            p.hi >>= 1;
+            e++;
+        }
+        return num_double_round_half(p.hi | (lost != 0), e, a.m ^ b.m);
+    }
     int t = (int)(p.hi >> 63) ^ 1;
     uint64_t u = p.hi << t | (p.lo >> 63 & (uint64_t)t);
     u |= p.lo << t != 0;
-    return num_double_round(u, a.e + b.e + 62 - t, a.m ^ b.m);
+    return num_double_round(u, e - t, a.m ^ b.m);
 }
 
 /* As num_div and num_sqrt. */

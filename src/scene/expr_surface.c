@@ -87,17 +87,32 @@ static __attribute__((noinline)) num_t z_hoisted(const expr_grid_t *g, int32_t i
     return value_num(v);
 }
 
+/* Rows are mostly asked for as a whole. */
+static void enter_row(expr_grid_t *g, int32_t j) {
+    if (j == g->row) return;
+    g->row = j;
+    g->row_y = place(g, 1, j);
+    if (g->hoist && !g->hoist->anywhere) note_error(g->source, hoist_row(g->hoist, g->row_y));
+}
+
 static num_t z_of(void *ctx, int32_t i, int32_t j) {
     expr_grid_t *g = ctx;
-    expr_source_t *s = g->source;
-    if (j != g->row) { /* rows are mostly asked for as a whole */
-        g->row = j;
-        g->row_y = place(g, 1, j);
-        if (g->hoist && !g->hoist->anywhere) note_error(s, hoist_row(g->hoist, g->row_y));
-    }
+    enter_row(g, j);
     if (!g->hoist || g->hoist->anywhere) return z_there(g, place(g, 0, i), g->row_y);
     return z_hoisted(g, i);
 }
+
+#if CONFIG_ROW_POINTS > 1
+static void z_row(void *ctx, int32_t i, int32_t j, int32_t n, num_t *z) {
+    expr_grid_t *g = ctx;
+    if (g->hoist && g->hoist->width && !g->hoist->anywhere) {
+        enter_row(g, j);
+        note_error(g->source, hoist_points(g->hoist, i, n, z));
+    } else {
+        for (int32_t k = 0; k < n; k++) z[k] = z_of(g, i + k, j);
+    }
+}
+#endif
 
 const surface_anywhere_t EXPR_SURFACE_ANYWHERE = {z_at, lend_anywhere};
 
@@ -136,7 +151,10 @@ int expr_surface_grid(expr_grid_t *g, expr_source_t *source, const num_t lo[2], 
     g->source = source;
     g->row = -1;
     g->hoist = NULL;
-    *out = (surface_t){n[0], n[1], g, x_of, y_of, z_of, lend};
+    *out = (surface_t){.nx = n[0], .ny = n[1], .ctx = g, .x_of = x_of, .y_of = y_of, .z_of = z_of, .lend = lend};
+#if CONFIG_ROW_POINTS > 1
+    out->z_row = z_row;
+#endif
     int err = sample(g, 0, lo[0], hi[0], n[0]);
     return err ? err : sample(g, 1, lo[1], hi[1], n[1]);
 }

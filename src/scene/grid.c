@@ -6,6 +6,7 @@
  * and be coarsened in place whenever a height does not fit, and ends with the very numbers a second evaluation
  * gives. */
 #include "scene/grid.h"
+#include "config.h"
 #include "error.h"
 #include "num/num_fast.h"
 
@@ -50,13 +51,34 @@ static inline __attribute__((always_inline)) num_t raw(grid_t *g, int32_t i, int
     return g->src->z_of(g->src->ctx, i, j);
 }
 
-static num_t evaluate(grid_t *g, int32_t i, int32_t j) {
-    num_t z = raw(g, i, j);
+/* What lies beyond the limits is a hole. */
+static num_t limited(grid_t *g, num_t z) {
     if (z.undef) return z;
     bool below = g->has_lo && num_cmp(z, g->z_lo) < 0, above = g->has_hi && num_cmp(z, g->z_hi) > 0;
     g->below |= below;
     g->above |= above;
     return below || above ? num_undef() : z;
+}
+
+static num_t evaluate(grid_t *g, int32_t i, int32_t j) {
+    return limited(g, raw(g, i, j));
+}
+
+/* Columns i to i + n - 1 of row j, n <= CONFIG_ROW_POINTS. */
+static inline void evaluate_row(grid_t *g, int32_t i, int32_t j, int32_t n, num_t *z) {
+#if CONFIG_ROW_POINTS > 1
+    if (g->src->z_row) {
+        g->evaluated += n;
+        g->src->z_row(g->src->ctx, i, j, n, z);
+        for (int32_t k = 0; k < n && (g->has_lo || g->has_hi); k++) z[k] = limited(g, z[k]);
+        return;
+    }
+#endif
+    for (int32_t k = 0; k < (CONFIG_ROW_POINTS > 1 ? n : 1); k++) z[k] = evaluate(g, i + k, j);
+}
+
+static inline int32_t at_once(const grid_t *g, int32_t i) {
+    return g->nx - i < CONFIG_ROW_POINTS ? g->nx - i : CONFIG_ROW_POINTS;
 }
 
 static void coarsen(int32_t *cache, int64_t count, int32_t by) {
@@ -74,19 +96,25 @@ int grid_measure(grid_t *g, const surface_t *src, const num_t *lo, const num_t *
     if (lo != NULL) g->z_lo = *lo;
     if (hi != NULL) g->z_hi = *hi;
     int64_t at = -1;
+    num_t heights[CONFIG_ROW_POINTS];
     for (int32_t j = 0; j < g->ny; j++) {
-        for (int32_t i = 0; i < g->nx; i++) {
+        for (int32_t i = 0, n = 0, k = 0; i < g->nx; i++, k++) {
+            if (CONFIG_ROW_POINTS == 1 || k == n) {
+                n = at_once(g, i);
+                k = 0;
+                evaluate_row(g, i, j, n, heights);
+            }
             at++;
-            num_t z = evaluate(g, i, j);
-            if (z.undef) {
+            if (heights[k].undef) {
                 g->holes++;
                 if (cache != NULL) cache[at] = GRID_HOLE;
                 continue;
             }
             if (!any) {
                 any = true;
-                g->z_min = g->z_max = g->z_origin = z;
+                g->z_min = g->z_max = g->z_origin = heights[k];
             }
+            const num_t z = {heights[k].m, heights[k].e, false}; /* as it is, it would be copied as a whole */
             int32_t e;
             const int64_t d = apart(z, g->z_origin, &e);
             int64_t u = exp >= e ? units(d, e, exp) : 0;
@@ -107,11 +135,11 @@ int grid_measure(grid_t *g, const surface_t *src, const num_t *lo, const num_t *
             if (cache != NULL) cache[at] = zi;
             /* Rounding down keeps the order, so only a height in the units of an extreme can be beyond it. */
             if (zi <= least) {
-                if (num_fast_cmp(z, g->z_min) < 0) g->z_min = z;
+                if (num_fast_cmp(z, g->z_min) < 0) g->z_min = heights[k];
                 least = zi;
             }
             if (zi >= most) {
-                if (num_fast_cmp(z, g->z_max) > 0) g->z_max = z;
+                if (num_fast_cmp(z, g->z_max) > 0) g->z_max = heights[k];
                 most = zi;
             }
         }
@@ -123,12 +151,7 @@ int grid_measure(grid_t *g, const surface_t *src, const num_t *lo, const num_t *
     return 0;
 }
 
-static bool height(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
-    if (g->cache != NULL) {
-        *zi = g->cache[(int64_t)j * g->nx + i];
-        return *zi != GRID_HOLE;
-    }
-    num_t z = evaluate(g, i, j);
+static inline bool scaled(const grid_t *g, num_t z, int32_t *zi) {
     if (z.undef) return false;
     int32_t e;
     const int64_t d = apart(z, g->z_origin, &e);
@@ -136,16 +159,29 @@ static bool height(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
     return true;
 }
 
+static bool height(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
+    if (g->cache == NULL) return scaled(g, evaluate(g, i, j), zi);
+    *zi = g->cache[(int64_t)j * g->nx + i];
+    return *zi != GRID_HOLE;
+}
+
 int32_t grid_row(grid_t *g, int32_t j, int32_t *zi, uint8_t *hole) {
     int32_t holes = 0;
-    if (g->cache != NULL && g->holes == 0) {
-        const int32_t *from = g->cache + (int64_t)j * g->nx;
-        for (int32_t i = 0; i < g->nx; i++) zi[i] = from[i];
-        for (int32_t i = 0; i < g->nx && hole != NULL; i++) hole[i] = 0;
-        return 0;
-    }
-    for (int32_t i = 0; i < g->nx; i++) {
-        bool defined = height(g, i, j, &zi[i]);
+    const int32_t *cached = g->cache ? g->cache + (int64_t)j * g->nx : NULL;
+    num_t z[CONFIG_ROW_POINTS];
+    for (int32_t i = 0, n = 0, k = 0; i < g->nx; i++, k++) {
+        bool defined;
+        if (cached) {
+            zi[i] = cached[i];
+            defined = cached[i] != GRID_HOLE;
+        } else {
+            if (CONFIG_ROW_POINTS == 1 || k == n) {
+                n = at_once(g, i);
+                k = 0;
+                evaluate_row(g, i, j, n, z);
+            }
+            defined = scaled(g, z[k], &zi[i]);
+        }
         if (!defined) {
             zi[i] = 0;
             holes++;

@@ -7,6 +7,7 @@
 #ifndef SURFACE_H
 #define SURFACE_H
 
+#include "config.h"
 #include "num/num.h"
 #include <stddef.h>
 
@@ -20,6 +21,10 @@ typedef struct surface {
     /* Lends memory (aligned to 8) that makes z_of faster and changes no height; until it is called again, the last time
      * with NULL. Returns the bytes that it takes, 0 if it cannot use them. NULL: no memory helps. */
     size_t (*lend)(void *ctx, void *mem, size_t bytes);
+#if CONFIG_ROW_POINTS > 1
+    /* z_of for columns i to i + n - 1 into z, n <= CONFIG_ROW_POINTS. NULL: not sooner than one by one. */
+    void (*z_row)(void *ctx, int32_t i, int32_t j, int32_t n, num_t *z);
+#endif
 } surface_t;
 
 /* What a surface says of places off its grid, for profiles; the calls take its ctx. */

@@ -61,7 +61,7 @@ static int bench(int n, const char *shape) {
     if (!z || !cache || !mem) return 1;
     table1_heights(shape, n, z);
     source_t source = {n, z};
-    surface_t surface = {n, n, &source, at, at, z_of, NULL};
+    surface_t surface = {n, n, &source, at, at, z_of, NULL, NULL};
     camera_t cam = {.perspective = true, .eye = {number(6), number(8), number(3)}};
     grid_t g;
     int64_t ink = 0;

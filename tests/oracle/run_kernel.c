@@ -68,7 +68,7 @@ int run_several(const surface_ref_t *sheet, int n, run_drawing_t *d, hidden_stat
     *stats = (hidden_stats_t){0};
     for (int k = 0; k < n && k < MOST; k++) {
         ref[k] = sheet[k];
-        surface[k] = (surface_t){ref[k].nx, ref[k].ny, &ref[k], x_of, y_of, z_of, NULL};
+        surface[k] = (surface_t){ref[k].nx, ref[k].ny, &ref[k], x_of, y_of, z_of, NULL, NULL};
         grid[k] = &g[k];
         int err = grid_measure(&g[k], &surface[k], NULL, NULL, NULL, NULL, NULL);
         if (err) return err;
@@ -85,7 +85,7 @@ uint16_t run_strips;
 
 int run_perimeter_in(const scene_t *s, run_drawing_t *d, size_t bytes, hidden_stats_t *stats) {
     surface_ref_t ref = s->ref;
-    surface_t surface = {ref.nx, ref.ny, &ref, x_of, y_of, z_of, NULL};
+    surface_t surface = {ref.nx, ref.ny, &ref, x_of, y_of, z_of, NULL, NULL};
     camera_t cam = run_camera(&ref.eye);
     ink_sink_t sink = run_sink(d);
     grid_t g;

@@ -105,7 +105,7 @@ facet_range_t facet_range_measure(enum facet_range_shape shape, int n) {
     chart_column_t *column = malloc((size_t)n * sizeof *column);
     if (!cache || !row[0] || !row[1] || !pool || !column) abort();
     heights_t h = {n, z};
-    surface_t surface = {n, n, &h, coordinate_of, coordinate_of, height_of, NULL};
+    surface_t surface = {n, n, &h, coordinate_of, coordinate_of, height_of, NULL, NULL};
     camera_t cam = run_camera(&(exact_eye_t){6, 8, 3, 1});
     grid_t g, *grids[1] = {&g};
     chart_t chart;

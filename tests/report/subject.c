@@ -86,7 +86,7 @@ void subject_make(subject_t *u, enum subject_kernel kernel, enum subject_family 
                                         : perimeter_bytes(n, (kernel == KERNEL_WINDOWS ? 800 : 60) * 2 * n + 1000);
     u->mem = room(u->bytes);
     if (kernel == KERNEL_HORIZON) make_profiles(u);
-    u->surface = (surface_t){n, n, u, x_of, y_of, z_of, NULL};
+    u->surface = (surface_t){n, n, u, x_of, y_of, z_of, NULL, NULL};
     if (kernel != KERNEL_HORIZON && grid_measure(&u->grid, &u->surface, NULL, NULL, u->cache, NULL, NULL)) abort();
 }
 

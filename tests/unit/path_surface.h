@@ -86,7 +86,7 @@ static inline int surface_ink_make(surface_ink_t *s, int32_t n, double half, dou
             *z = f ? f(hypot(surface_ink_at(s, i), surface_ink_at(s, j))) : (seed >> 8) / 16777216.0;
         }
     }
-    s->surface = (surface_t){n, n, s, surface_ink_coordinate, surface_ink_coordinate, surface_ink_height, NULL};
+    s->surface = (surface_t){n, n, s, surface_ink_coordinate, surface_ink_coordinate, surface_ink_height, NULL, NULL};
     settings_default(&s->settings);
     s->settings.view.from = perspective;
     for (int k = 0; k < 3; k++) s->settings.view.eye[k] = num_from_i64("\6\10\3"[k]);

@@ -153,7 +153,7 @@ static void test_several(void **state) {
         grid_t grid[SURFACES], *list[SURFACES];
         for (int m = 0; m < s.surfaces; m++) {
             one[m] = (one_t){&s, m};
-            src[m] = (surface_t){N, N, &one[m], axis_of, axis_of, height_of, NULL};
+            src[m] = (surface_t){N, N, &one[m], axis_of, axis_of, height_of, NULL, NULL};
             assert_int_equal(grid_measure(&grid[m], &src[m], NULL, NULL, NULL, NULL, NULL), 0);
             list[m] = &grid[m];
         }
@@ -205,8 +205,8 @@ static void test_refusals(void **state) {
     static drawn_t d;
     make(&s, 1);
     one_t one = {&s, 0};
-    surface_t a = {N, N, &one, axis_of, axis_of, height_of, NULL},
-              b = {N, N, &one, half_axis, axis_of, height_of, NULL};
+    surface_t a = {N, N, &one, axis_of, axis_of, height_of, NULL, NULL},
+              b = {N, N, &one, half_axis, axis_of, height_of, NULL, NULL};
     grid_t ga, gb, *list[2] = {&ga, &gb};
     grid_measure(&ga, &a, NULL, NULL, NULL, NULL, NULL);
     grid_measure(&gb, &b, NULL, NULL, NULL, NULL, NULL);

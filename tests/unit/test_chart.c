@@ -40,7 +40,7 @@ typedef struct charted {
 } charted_t;
 
 static void draw(charted_t *c, field_t *f, bool perspective, double ex, double ey, double ez) {
-    c->src = (surface_t){f->nx, f->ny, f, x_of, y_of, z_of, NULL};
+    c->src = (surface_t){f->nx, f->ny, f, x_of, y_of, z_of, NULL, NULL};
     assert_int_equal(grid_measure(&c->grid, &c->src, NULL, NULL, NULL, NULL, NULL), 0);
     c->cam = (camera_t){.perspective = perspective, .eye = {num_of(ex), num_of(ey), num_of(ez)}};
     grid_t *list = &c->grid;

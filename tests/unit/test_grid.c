@@ -34,7 +34,7 @@ static num_t z_of(void *ctx, int32_t i, int32_t j) {
     return height_of(heights[j][i]);
 }
 
-static const surface_t src = {NX, NY, NULL, axis_of, axis_of, z_of, NULL};
+static const surface_t src = {NX, NY, NULL, axis_of, axis_of, z_of, NULL, NULL};
 
 static void check(const num_t *lo, const num_t *hi, double from, double to) {
     static int32_t cache[NX * NY], row[2][NX];

@@ -11,7 +11,7 @@
 #include "lang/hoist.h"
 #include "lang/inline.h"
 
-enum { COLUMNS = 9, ROWS = 7 };
+enum { COLUMNS = 21, ROWS = 7 };
 
 static lang_t lang;
 static uint8_t code[2000];
@@ -61,16 +61,25 @@ static void assert_same(const char *text, int per_column, int per_row) {
     for (int i = 0; i < COLUMNS; i++) first = hoist_column(h, i, at(i, COLUMNS)) | first;
     for (int j = 0; j < ROWS; j++) {
         first = hoist_row(h, at(j, ROWS)) | first;
+        num_t all[COLUMNS];
+        const int error_at_once = hoist_points(h, 0, COLUMNS, all);
+        int error = 0;
         for (int i = 0; i < COLUMNS; i++) {
             value_t a, b;
             const num_t place[2] = {hoist_x(h, i), at(j, ROWS)};
             assert_memory_equal(&place[0].m, &(int64_t){at(i, COLUMNS).m}, 8);
-            first = hoist_point(h, i, &b) | first;
+            const int failed = hoist_point(h, i, &b);
+            first = failed | first;
+            if (!error) error = failed;
+            const num_t one = value_num(b);
+            if (one.undef != all[i].undef || (!one.undef && (one.m != all[i].m || one.e != all[i].e)))
+                fail_msg("%s at column %d, row %d with others at once", text, i, j);
             int err = expr_eval(&lang, &x, place, &a);
             if (a.kind != b.kind || (a.kind != VALUE_UNDEF && (a.m != b.m || a.e != b.e)))
                 fail_msg("%s at column %d, row %d", text, i, j);
             if (err) assert_true(first < 0);
         }
+        assert_int_equal(error_at_once, error);
     }
     for (size_t k = (lent + 7) / 8; k < sizeof mem / 8; k++) assert_int_equal(mem[k], 0x5a5a5a5a5a5a5a5au);
 }

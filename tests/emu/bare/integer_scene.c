@@ -38,7 +38,7 @@ static void uniform_grid(integer_scene_t *s, int nx, int ny) {
     s->ny = ny;
     for (int i = 0; i < nx; i++) s->x[i] = num_sub(ratio(4 * i, nx - 1), num_from_i64(2));
     for (int j = 0; j < ny; j++) s->y[j] = num_sub(ratio(4 * j, ny - 1), num_from_i64(2));
-    s->surface = (surface_t){nx, ny, s, x_of, y_of, z_of, NULL};
+    s->surface = (surface_t){nx, ny, s, x_of, y_of, z_of, NULL, NULL};
 }
 
 static void look_from(integer_scene_t *s, bool perspective, num_t x, num_t y, num_t z) {

@@ -1,0 +1,240 @@
+/* eval_row.c - see eval_row.h.
+ *
+ * An operand is not moved: it is where it stands, and how far apart those of neighbouring points are. So values of
+ * columns and rows cost nothing to load. Results lie on the evaluator's stack, cut into areas of `width` values and one
+ * for a constant: first an area for each value kept, then one for each place of the stack of operands. */
+#include "lang/eval_row.h"
+#include "lang/arith.h"
+#include "lang/builtins.h"
+#include "num/num_double.h"
+
+#if EVAL_ROW_MAX > 1
+
+enum { DEPTH = 12, LEAST = 4, ARGS = 8 };
+
+typedef struct operand {
+    const value_t *at;
+    int32_t step;
+} operand_t;
+
+static bool is_binary(uint8_t op) {
+    return op >= OP_ADD && op <= OP_BOR;
+}
+static bool is_unary(uint8_t op) {
+    return (op >= OP_NEG && op <= OP_POWI) || op == OP_REAL1 || op == OP_KEEP;
+}
+static bool is_leaf(uint8_t op) {
+    return op < OP_SET || (op > OP_SET && op < OP_ADD) || op == OP_LOCAL;
+}
+
+uint8_t eval_row_width(const uint8_t *code) {
+    int kept = code[0] == OP_FRAME ? code[1] : 0, depth = 0, most = 1;
+    const uint8_t *p = code + (kept ? 2 : 0);
+    for (; *p != OP_RET; p += 1 + code_operands(*p)) {
+        if (*p == OP_FUNC && !(BUILTINS[p[1]].flags & BUILTIN_IMPURE) && p[2] <= ARGS)
+            depth += 1 - p[2];
+        else if (is_binary(*p))
+            depth--;
+        else if (is_leaf(*p))
+            depth++;
+        else if (!is_unary(*p))
+            return 0;
+        if (depth > most) most = depth;
+    }
+    const int width = CONFIG_STACK / (kept + most) - 1;
+    if (most > DEPTH || width < LEAST) return 0;
+    return (uint8_t)(width < EVAL_ROW_MAX ? width : EVAL_ROW_MAX);
+}
+
+static inline num_t real_of(const value_t *v) {
+    return (num_t){v->m, v->e, false};
+}
+static inline bool put(value_t *to, num_t r) {
+    to->m = r.m;
+    to->e = r.e;
+    to->kind = r.undef; /* VALUE_REAL or VALUE_UNDEF */
+    return r.undef;
+}
+
+/* What all operations share: a result for each point, and which of them are undefined as a whole. */
+typedef struct work {
+    int n;
+    uint32_t dead; /* by points */
+    bool failed;
+} work_t;
+
+static void note(work_t *w, int k, const char *fault) {
+    if (!fault) return;
+    w->dead |= (uint32_t)1 << k;
+    w->failed |= fault != ARITH_UNDEFINED;
+}
+
+static void binary_slow(work_t *w, int k, uint8_t op, operand_t a, operand_t b, value_t *to) {
+    value_t v = *a.at;
+    note(w, k, arith_binary(op, &v, *b.at));
+    *to = v;
+}
+
+/* Zeros and what is undefined are told by the upper word alone. */
+static inline bool is_rare(const value_t *a, const value_t *b) {
+    return NUM_FAST_RARE((a->kind | b->kind) != VALUE_REAL || num_double_rare(real_of(a), real_of(b)));
+}
+
+#define EACH_BINARY(expression)                                                                                        \
+    for (int k = 0; k < w->n; k++, a.at += a.step, b.at += b.step, to++) {                                             \
+        if (is_rare(a.at, b.at))                                                                                       \
+            binary_slow(w, k, op, a, b, to);                                                                           \
+        else if (NUM_FAST_RARE(put(to, expression)))                                                                   \
+            w->dead |= (uint32_t)1 << k;                                                                               \
+    }
+
+/* Functions of their own: a small core keeps more in registers. */
+static __attribute__((noinline)) num_t add_cancelling(int64_t am, int32_t ae, int64_t bm, int32_t be) {
+    return num_double_add((num_t){am, ae, false}, (num_t){bm, be, false});
+}
+static inline num_t sum(int64_t am, int32_t ae, int64_t bm, int32_t be) {
+    if (!NUM_DOUBLE_NARROW) return num_double_add((num_t){am, ae, false}, (num_t){bm, be, false});
+    if ((am ^ bm) < 0) return add_cancelling(am, ae, bm, be);
+    return num_double_add_narrow((num_t){am, ae, false}, (num_t){bm, be, false});
+}
+/* One copy serves both. */
+static __attribute__((noinline)) void add_or_subtract(work_t *w, uint8_t op, operand_t a, operand_t b, value_t *to) {
+    EACH_BINARY(sum(a.at->m, a.at->e, op == OP_SUB ? -b.at->m : b.at->m, b.at->e));
+}
+static __attribute__((noinline)) void multiply(work_t *w, uint8_t op, operand_t a, operand_t b, value_t *to) {
+    EACH_BINARY(num_double_mul(real_of(a.at), real_of(b.at)));
+}
+static __attribute__((noinline)) void divide(work_t *w, uint8_t op, operand_t a, operand_t b, value_t *to) {
+    EACH_BINARY(num_double_div(real_of(a.at), real_of(b.at)));
+}
+
+static void binary(work_t *w, uint8_t op, operand_t a, operand_t b, value_t *to) {
+    if (op == OP_ADD || op == OP_SUB)
+        add_or_subtract(w, op, a, b, to);
+    else if (op == OP_MUL)
+        multiply(w, op, a, b, to);
+    else if (op == OP_DIV)
+        divide(w, op, a, b, to);
+    else
+        for (int k = 0; k < w->n; k++, a.at += a.step, b.at += b.step) binary_slow(w, k, op, a, b, to++);
+}
+
+static const char *unary_of(const uint8_t *pc, value_t *v) {
+    if (*pc == OP_KEEP) return NULL;
+    return *pc == OP_POWI ? arith_power(v, code_int8(pc + 1)) : arith_unary(*pc, v);
+}
+
+static __attribute__((noinline)) void unary(work_t *w, const uint8_t *pc, operand_t a, value_t *to) {
+    for (int k = 0; k < w->n; k++, a.at += a.step, to++) {
+        value_t v = *a.at;
+        note(w, k, unary_of(pc, &v));
+        *to = v;
+    }
+}
+
+static __attribute__((noinline)) void real_function(work_t *w, num_t (*f)(num_t), operand_t a, value_t *to) {
+    for (int k = 0; k < w->n; k++, a.at += a.step, to++) {
+        if (NUM_FAST_RARE(a.at->kind == VALUE_UNDEF)) {
+            *to = *a.at;
+            continue;
+        }
+        const num_t r = f(NUM_FAST_RARE(a.at->kind == VALUE_INT) ? value_num(*a.at) : real_of(a.at));
+        if (NUM_FAST_RARE(put(to, num_double((num_t){r.m, r.e, r.undef})))) w->dead |= (uint32_t)1 << k;
+    }
+}
+
+static __attribute__((noinline)) void any_function(work_t *w, lang_t *l, const uint8_t *pc, const operand_t *a,
+                                                   value_t *to) {
+    for (int k = 0; k < w->n; k++) {
+        value_t args[ARGS];
+        for (int i = 0; i < pc[2]; i++) args[i] = a[i].at[k * a[i].step];
+        note(w, k, BUILTINS[pc[1]].any(l, args, pc[2]));
+        to[k] = args[0];
+    }
+}
+
+/* The operand behind OP_LOCAL or OP_ARG. */
+static operand_t local(const eval_row_t *r, const value_t *area, int width, int i) {
+    if (i == 0) return (operand_t){r->column, r->stride};
+    if (i == 1) return (operand_t){r->row, 0};
+    i -= 1; /* x and y are counted, the first of a column stands behind x */
+    if (i <= r->per_column) return (operand_t){r->column + i, r->stride};
+    i -= r->per_column;
+    if (i <= r->per_row) return (operand_t){r->row + i, 0};
+    return (operand_t){area + (i - 1 - r->per_row) * (width + 1), 1};
+}
+
+/* A constant or a variable; false if that is not defined. */
+static bool constant(const lang_t *l, const uint8_t *pc, value_t *to) {
+    switch (*pc) {
+    case OP_VAR:
+        *to = l->symbol[pc[1]].u.value;
+        return l->symbol[pc[1]].defined;
+    case OP_INT8:
+        *to = value_int(code_int8(pc + 1));
+        return true;
+    case OP_INT64:
+        *to = code_int64(pc + 1);
+        return true;
+    case OP_REAL:
+        *to = code_real(pc + 1);
+        return true;
+    default:
+        *to = value_real(code_real_short(pc + 1));
+        return true;
+    }
+}
+
+bool eval_row(lang_t *l, const eval_row_t *r, int width, int n, num_t *out) {
+    const uint8_t *pc = r->code;
+    const int kept = pc[0] == OP_FRAME ? pc[1] : 0;
+    if (kept) pc += 2;
+    value_t *area = l->stack + kept * (width + 1); /* of the next operand */
+    operand_t stack[DEPTH], *top = stack;          /* one behind the last */
+    work_t w = {.n = n};
+    for (; *pc != OP_RET && !w.failed; pc += 1 + code_operands(*pc)) {
+        const uint8_t op = *pc;
+        if (op == OP_LOCAL || op < OP_VAR) {
+            *top++ = local(r, l->stack, width, op == OP_LOCAL ? pc[1] : op - OP_ARG);
+            area += width + 1;
+            continue;
+        }
+        if (is_leaf(op)) {
+            if (!constant(l, pc, area + width)) return false;
+            *top++ = (operand_t){area + width, 0};
+            area += width + 1;
+            continue;
+        }
+        const int takes = is_binary(op) ? 2 : op == OP_FUNC ? pc[2] : 1;
+        value_t *to = area - takes * (width + 1);
+        top -= takes;
+        if (op == OP_REAL1)
+            real_function(&w, BUILTINS[pc[1]].real1, top[0], to);
+        else if (op == OP_FUNC)
+            any_function(&w, l, pc, top, to);
+        else if (takes == 2)
+            binary(&w, op, top[0], top[1], to);
+        else if (op == OP_SQUARE)
+            multiply(&w, OP_MUL, top[0], top[0], to);
+        else if (op != OP_KEEP)
+            unary(&w, pc, top[0], to);
+        else { /* on the stack it stays where it was */
+            unary(&w, pc, top[0], l->stack + (pc[1] - 2 - r->per_column - r->per_row) * (width + 1));
+            top++;
+            continue;
+        }
+        *top++ = (operand_t){to, 1};
+        area = to + width + 1;
+    }
+    if (w.failed) return false;
+    const value_t *v = stack[0].at;
+    for (int k = 0; k < n; k++, v += stack[0].step) {
+        if (NUM_FAST_RARE(v->kind != VALUE_REAL || w.dead >> k & 1))
+            out[k] = w.dead >> k & 1 ? num_undef() : value_num(*v);
+        else
+            out[k].m = v->m, out[k].e = v->e, out[k].undef = false;
+    }
+    return true;
+}
+
+#endif
