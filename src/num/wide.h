@@ -39,7 +39,7 @@ __extension__ typedef __int128 wide_native_t;
  * routine that multiplies all 64 bits (45 instructions). Of the halves these make 18 and 20; the compiler, given the
  * same in C, 25, and everything that is exact here consists of them. */
 static inline uint64_t wide_mul_u32(uint32_t a, uint32_t b) {
-#ifdef __ARM_ARCH_6M__
+#if defined __ARM_ARCH_6M__ && defined __arm__
     uint32_t low, t, u;
     __asm(".syntax unified\n"
           "uxth %[t], %[a]\n"
@@ -69,7 +69,7 @@ static inline uint64_t wide_mul_u32(uint32_t a, uint32_t b) {
 #endif
 }
 static inline int64_t wide_mul_s32(int32_t a, int32_t b) {
-#ifdef __ARM_ARCH_6M__
+#if defined __ARM_ARCH_6M__ && defined __arm__
     /* The upper halves have the signs: no sum leaves 32 bits, and nothing is to be put right afterwards. */
     int32_t low, t, u;
     __asm(".syntax unified\n"

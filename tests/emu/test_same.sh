@@ -1,7 +1,7 @@
 #!/bin/sh
 # test_same.sh - the same seeded scenes through the hidden-line kernels on the host and on emulated Cortex-M0 and M3: every
-# piece of ink, and the operations that it took, must be the same. One hash a scene. Surfaces (same.c), solids, haloes and
-# polygons (same_solids.c; a Pico's area sort and a micro:bit's instructions).
+# piece of ink, and the operations that it took, must be the same. One hash a scene. Surfaces (same.c), arithmetic in the
+# ways of 32 bits (same_numbers.c), solids, haloes and polygons (same_solids.c; a Pico's area sort and a micro:bit's instructions).
 #
 #     test_same.sh PROGRAM CORE SEED     that scene alone, made small if the two differ
 #
@@ -65,6 +65,8 @@ same_on() { # program, core, scenes
 }
 same_on same m0 5000
 same_on same m3 5000
+same_on same_numbers m0 5000
+same_on same_numbers m3 5000
 same_on same_solids m0an 1500
 same_on same_solids m3 1500
 [ $failed -eq 0 ] && exit 0

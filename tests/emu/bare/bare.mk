@@ -27,9 +27,12 @@ $(BARE)/$2-$1.elf: $(patsubst %.c,$(BARE)/$1-$2/%.o,tests/emu/bare/$2.c tests/em
 endef
 # The area sort takes more memory than a micro:bit has: solids are run on the AN385.
 BARE_SRC_same        := tests/emu/bare/same_main.c
+BARE_SRC_same_numbers := $(BARE_SRC_same)
 BARE_SRC_same_solids := $(BARE_SRC_same) tests/emu/bare/integer_solids.c src/lang/settings.c src/motion/machine.c
 $(eval $(call bare_core,m0,same))
 $(eval $(call bare_core,m3,same))
+$(eval $(call bare_core,m0,same_numbers))
+$(eval $(call bare_core,m3,same_numbers))
 $(eval $(call bare_core,m0an,same_solids))
 $(eval $(call bare_core,m3,same_solids))
 define bare_same
@@ -39,8 +42,9 @@ $(BARE)/$1: $(patsubst %.c,$(BUILDDIR)/obj/%.o,tests/emu/bare/$1.c tests/emu/bar
 	$$(Q)$$(CC) $$(LDFLAGS) $$^ -o $$@
 endef
 $(eval $(call bare_same,same))
+$(eval $(call bare_same,same_numbers))
 $(eval $(call bare_same,same_solids))
-BARE_SAME := $(addprefix $(BARE)/,same same-m0.elf same-m3.elf same_solids same_solids-m0an.elf same_solids-m3.elf)
+BARE_SAME := $(addprefix $(BARE)/,same same-m0.elf same-m3.elf same_numbers same_numbers-m0.elf same_numbers-m3.elf same_solids same_solids-m0an.elf same_solids-m3.elf)
 $(BARE)/counter.so: tests/emu/bare/counter.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) -shared -fPIC -O2 -Wall -Wextra -o $@ $<
