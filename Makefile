@@ -12,7 +12,8 @@ JOBS     ?= $(shell nproc 2>/dev/null || echo 1)
 again     = $(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS))
 
 WARN     := -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes
-OPT      ?= -O3 -g
+# Functions begin on a line of the cache: how fast one is must not depend on what is linked before it (5 % was seen).
+OPT      ?= -O3 -g -falign-functions=64
 SANITIZE ?=
 CFLAGS   += -std=c11 $(WARN) $(OPT) $(SANITIZE) -MMD -MP
 CPPFLAGS += -Isrc -I. -D_DEFAULT_SOURCE
