@@ -55,22 +55,22 @@ static int32_t find_cuts(const clip_t *c, int32_t n, cut_t *cut, int32_t most, r
         if (poly_same(s->l, s->r)) continue;
         bool falls = s->r.y < s->l.y;
         const reach_t own = {s->r.x, falls ? s->r.y : s->l.y, falls ? s->l.y : s->r.y, k};
-        int32_t kept = 0;
         left += COMPARISONS - reaching;
         if (left < 0) return 0;
         for (int32_t j = 1; j <= reaching; j++) {
-            const reach_t r = end[-j];
-            if (r.x1 < s->l.x) continue;
-            end[-++kept] = r;
-            if (r.y1 < own.y0 || own.y1 < r.y0 || !do_cross(&in[r.of], s)) continue;
+            const reach_t *r = &end[-j];
+            if (r->x1 < s->l.x) { /* the last one takes its place */
+                end[-j--] = end[-reaching--];
+                continue;
+            }
+            if (r->y1 < own.y0 || own.y1 < r->y0 || !do_cross(&in[r->of], s)) continue;
             if (cuts + 2 > most) return 0;
-            poly_point_t at = clip_crossing(&in[r.of], s);
+            poly_point_t at = clip_crossing(&in[r->of], s);
             ++*crossings;
-            add_cut(in, r.of, at, cut, &cuts);
+            add_cut(in, r->of, at, cut, &cuts);
             add_cut(in, k, at, cut, &cuts);
         }
-        reaching = kept + 1;
-        end[-reaching] = own;
+        end[-++reaching] = own;
     }
     return cuts;
 }

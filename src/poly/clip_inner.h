@@ -33,18 +33,21 @@ typedef struct clip_stretch {
 #define CLIP_NO_EDGE (-1)
 #define CLIP_TRACED (-2)
 
+/* Which bit of a result's truth table is that of a place with these winding numbers? */
+static inline unsigned clip_bit(const clip_t *c, const int16_t w[2]) {
+    return c->fill == CLIP_EVEN_ODD ? (w[0] & 1u) + 2 * (w[1] & 1u) : (w[0] != 0) + 2u * (w[1] != 0);
+}
 /* Is a place with these winding numbers in result k? */
 static inline bool clip_is_in(const clip_t *c, int k, const int16_t w[2]) {
-    unsigned s = c->fill == CLIP_EVEN_ODD ? w[0] & 1 : w[0] != 0, t = c->fill == CLIP_EVEN_ODD ? w[1] & 1 : w[1] != 0;
-    return (unsigned)c->result[k] >> (s + 2 * t) & 1;
+    return (unsigned)c->result[k] >> clip_bit(c, w) & 1;
 }
 
 static inline bool clip_is_in_above(const clip_t *c, int k, const clip_edge_t *e) {
     return clip_is_in(c, k, e->above);
 }
-static inline bool clip_is_in_below(const clip_t *c, int k, const clip_edge_t *e) {
+static inline unsigned clip_bit_below(const clip_t *c, const clip_edge_t *e) {
     const int16_t w[2] = {(int16_t)(e->above[0] - e->s.w[0]), (int16_t)(e->above[1] - e->s.w[1])};
-    return clip_is_in(c, k, w);
+    return clip_bit(c, w);
 }
 
 /* One sweep over in, which is sorted by left ends: makes edge. Sets rounded, unsorted, full. */

@@ -195,8 +195,9 @@ static void find(clip_t *c, poly_point_t v, bool snap, int32_t *from, int32_t *t
 /* Edges in places [lo, hi) that go on beyond v are split there, exactly. */
 static void split_passing(clip_t *c, poly_point_t v, int32_t lo, int32_t hi) {
     for (int32_t j = lo; j < hi && !c->full; j++) {
-        clip_seg_t *s = &c->edge[c->status[j]].s, rest = *s;
+        clip_seg_t *s = &c->edge[c->status[j]].s;
         if (!poly_before(v, s->r)) continue;
+        clip_seg_t rest = *s;
         s->r = rest.l = v;
         add_edge(c, &rest);
     }
@@ -248,7 +249,7 @@ static void link(clip_t *c, int k, int32_t lo, int32_t hi, int32_t first) {
         int32_t number = i < starts ? first + i : c->status[hi - 1 - (i - starts)];
         clip_edge_t *e = &c->edge[number];
         bool above = clip_is_in_above(c, k, e);
-        if (above == clip_is_in_below(c, k, e)) continue;
+        if (above == (c->result[k] >> clip_bit_below(c, e) & 1)) continue;
         if (above == (i < starts)) {
             out = number;
         } else if (out != CLIP_NO_EDGE) {
@@ -266,9 +267,10 @@ static void pass_on(clip_t *c, int32_t from, int32_t to) {
     clip_edge_t *a = &c->edge[from], *b = &c->edge[to];
     memcpy(b->above, a->above, sizeof b->above);
     b->under = from;
+    const unsigned bit_above = clip_bit(c, a->above), bit_below = clip_bit_below(c, a);
     for (int k = 0; k < 2; k++) {
-        bool above = clip_is_in_above(c, k, a);
-        if (above == clip_is_in_below(c, k, a)) continue;
+        const unsigned table = (unsigned)c->result[k], above = table >> bit_above & 1;
+        if (above == (table >> bit_below & 1)) continue;
         *(above ? &a->next[k] : &b->next[k]) = above ? to : from;
     }
 }
@@ -289,10 +291,22 @@ static void settle(clip_t *c, int32_t lo, int32_t hi, int32_t first) {
         if (c->result[k] != CLIP_NOTHING) link(c, k, lo, hi, first);
 }
 
+/* Does one edge end here, in place lo, and another begin, and that is all? */
+static bool goes_on(const clip_t *c, poly_point_t v, int32_t lo, int32_t hi, int32_t first) {
+    return hi - lo == 1 && c->edges - first == 1 && !c->snap && !c->full && poly_same(c->edge[c->status[lo]].s.r, v);
+}
+
 static void visit(clip_t *c, poly_point_t v) {
     int32_t first = c->edges, lo, hi;
     bool rounded = gather(c, v);
     find(c, v, rounded, &lo, &hi);
+    if (goes_on(c, v, lo, hi, first)) {
+        settle(c, lo, hi, first);
+        c->status[lo] = first;
+        meet(c, lo - 1, v);
+        meet(c, lo, v);
+        return;
+    }
     split_passing(c, v, lo, hi);
     if (c->full) return;
     sort_starts(c, first);

@@ -35,12 +35,15 @@ static void measure(int spiky, int n) {
     clip_t c;
     double best = 1e9, started = now_ms();
     int err = 0;
+    const int at_once = n < 1000 ? 1000 / n : 1; /* reading the clock takes .0004 ms */
     for (int k = 0; k < 5 || (k < 20000 && now_ms() - started < 300); k++) {
         double start = now_ms();
-        out.n = out.contours = 0;
-        err = clip_run(&c, &job, mem, bytes);
-        if (!err) err = clip_trace(&c, 0, &out);
-        double took = now_ms() - start;
+        for (int i = 0; i < at_once && !err; i++) {
+            out.n = out.contours = 0;
+            err = clip_run(&c, &job, mem, bytes);
+            if (!err) err = clip_trace(&c, 0, &out);
+        }
+        double took = (now_ms() - start) / at_once;
         if (took < best) best = took;
         if (err) break;
     }
