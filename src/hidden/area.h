@@ -40,6 +40,7 @@ typedef struct area_stats {
     int32_t windows;       /* of the screen subdivision */
     int32_t boxes;         /* of the Z subdivision */
     int32_t depth;         /* of the stack, at most */
+    size_t bytes;          /* of the memory that were in use, at most: with less, windows are halved */
 } area_stats_t;
 
 /* Takes one visible polygon: `face` of the scene, its contours in lat; tags are edges of the scene (those that stand

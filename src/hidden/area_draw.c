@@ -135,7 +135,7 @@ int area_draw(const solid_map_t *m, const area_tone_t *tone, const ink_sink_t *b
     ink.clear = behind && has_clear(m->solid);
     size_t part = job->bytes / SHARES & ~(size_t)7, tone_bytes = tone ? part * TONE_SHARES : 0;
     if (tone && !tone->shadow && area_toner_bytes(m) < tone_bytes) tone_bytes = area_toner_bytes(m);
-    size_t sort_bytes = part * (SHARES - INTERVALS_SHARES) - tone_bytes;
+    size_t sorted = 0, sort_bytes = part * (SHARES - INTERVALS_SHARES) - tone_bytes;
     uint8_t *mem = job->mem, *intervals = mem + sort_bytes + tone_bytes;
     intervals_init(&ink.parts, intervals, part * INTERVALS_SHARES / (ink.clear ? 2 : 1));
     intervals_init(&ink.through, intervals + part, ink.clear ? part : 0);
@@ -149,6 +149,7 @@ int area_draw(const solid_map_t *m, const area_tone_t *tone, const ink_sink_t *b
         ink.edges = &ink.through;
         ink.clear = false;
         err = area_sort(&through, mem, sort_bytes, &sink, NULL, NULL, area);
+        sorted = area->bytes;
         ink.clear = true;
     }
     ink.edges = &ink.parts;
@@ -156,13 +157,16 @@ int area_draw(const solid_map_t *m, const area_tone_t *tone, const ink_sink_t *b
     if (tone && !err && area_toner_intersections(ink.toner) > area->intersections)
         area->intersections = area_toner_intersections(ink.toner);
     stats->facets = area->polygons;
-    stats->bytes = job->bytes;
     const interval_use_t use = {&ink, least, emit};
     if (!err) err = intervals_finish(&ink.parts, &use);
     if (!err && tone && tone->borders) err = emit_borders(&ink);
-    if (err || !ink.clear) return err;
-    ink.sink = behind;
-    return intervals_less(&ink.through, &ink.parts, &use);
+    if (!err && ink.clear) {
+        ink.sink = behind;
+        err = intervals_less(&ink.through, &ink.parts, &use);
+    }
+    stats->bytes = (area->bytes > sorted ? area->bytes : sorted) + (ink.toner ? area_toner_used(ink.toner) : 0) +
+                   ((size_t)ink.parts.most + (size_t)ink.through.most) * sizeof(interval_t);
+    return err;
 }
 
 #endif

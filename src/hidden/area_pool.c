@@ -9,7 +9,7 @@ enum { OWNER, SIZE, HEAD };
 
 void area_pool_init(area_pool_t *pool, const area_faces_t *faces, area_piece_t *piece, int32_t pieces_max,
                     int32_t *word, int32_t words_max) {
-    *pool = (area_pool_t){faces, piece, 0, pieces_max, AREA_NONE, word, 0, words_max};
+    *pool = (area_pool_t){faces, piece, 0, pieces_max, AREA_NONE, word, 0, words_max, 0, 0};
 }
 
 static int32_t take_piece(area_pool_t *pool) {
@@ -45,9 +45,11 @@ static void squeeze(area_pool_t *pool) {
  * if it is empty, or an error. */
 static int32_t trace(area_pool_t *pool, clip_t *c, int which, clip_out_t *out, int32_t more) {
     int32_t n = clip_count(c, which), most = n / 3 + 1, size = HEAD + n * VERTEX_WORDS + 2 * most + more;
+    if (c->stats.most_edges > pool->edges_most) pool->edges_most = c->stats.most_edges;
     if (n == 0) return 0;
     if (size > pool->words_max - pool->words) squeeze(pool);
     if (size > pool->words_max - pool->words) return ERR_FULL;
+    if (pool->words + size > pool->words_most) pool->words_most = pool->words + size;
     poly_vertex_t *v = (poly_vertex_t *)(void *)(pool->word + pool->words + HEAD);
     int32_t *end = (int32_t *)(void *)(v + n);
     *out = (clip_out_t){.v = v, .end = end, .outer = end + most, .n_max = n, .contours_max = most};

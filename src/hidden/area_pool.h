@@ -29,6 +29,7 @@ typedef struct area_pool {
     int32_t pieces, pieces_max, free; /* free: list of unused ones */
     int32_t *word;
     int32_t words, words_max;
+    int32_t words_most, edges_most; /* at once: words that were in use, edges that the clipper had */
 } area_pool_t;
 
 void area_pool_init(area_pool_t *pool, const area_faces_t *faces, area_piece_t *piece, int32_t pieces_max,

@@ -24,11 +24,17 @@ typedef struct area {
     uint8_t *state; /* of each face of the scene, enum area_state */
     const area_sink_t *sink;
     area_stats_t *stats;
+    size_t fixed; /* bytes of the memory that do not depend on the window */
 } area_t;
 
 /* The part of a box where a plane is above 0: at most 6 vertices. */
 int32_t area_half_of(const area_box_t *box, const area_plane_t *plane, poly_vertex_t v[8]);
 /* Gives what is visible of a list of pieces, nearest first, to the sink. Returns 0, ERR_FULL or the sink's error. */
 int area_sort_list(area_t *a, area_list_t list);
+
+/* A window with more faces than this allows is not even tried. */
+#define PIECES_PER_FACE 3
+/* The same of all that lies in a window of the page, halved where it must be (area_window.c). tick may be NULL. */
+int area_windows(area_t *a, area_box_t all, void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx);
 
 #endif

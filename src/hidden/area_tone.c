@@ -43,6 +43,9 @@ struct area_toner {
     int32_t n; /* parts */
     void *clip_mem;
     size_t clip_bytes;
+    size_t fixed; /* bytes that every polygon finds in use */
+    int32_t lit_most, vertices_most,
+        edges_most; /* vertices of what a light reaches, of parts; edges that were clipped */
 };
 
 /* ---- memory ---- */
@@ -107,6 +110,7 @@ int area_toner_make(area_toner_t **toner, const area_tone_t *tone, const solid_m
         at += part;
         left -= part;
     }
+    t->fixed = bytes - left;
     t->clip_mem = at;
     t->clip_bytes = left;
     if (!tone->shadow) return 0;
@@ -164,7 +168,9 @@ static int part_by(area_toner_t *t, const poly_t *lit, int64_t slope_q30) {
         if (!err && t->tone.borders && dark.contours) err = borders_add(t->tone.borders, &dark, POLY_CUT);
         if (!err) err = take_result(&c, &clip, 0, from->bright_q30 + slope_q30, &bright);
         if (err) return err;
+        if (clip.stats.most_edges > t->edges_most) t->edges_most = clip.stats.most_edges;
     }
+    if (c.n > t->vertices_most) t->vertices_most = c.n;
     own(&c);
     t->n = c.parts;
     memcpy(t->part[0], t->part[1], (size_t)c.parts * sizeof(part_t));
@@ -210,6 +216,7 @@ static int tone_part(void *ctx, const poly_t *p, int32_t percent) {
         if (w->slope[l] == 0) continue;
         clip_out_t lit = {.v = t->face.v, .end = t->face.end, .n_max = t->face.most, .contours_max = t->face.most};
         err = lit_polygons(&t->lit, l, w->face, &lit);
+        if (lit.n > t->lit_most) t->lit_most = lit.n;
         const poly_t reached = {lit.v, lit.end, lit.contours};
         if (!err && reached.contours) err = part_by(t, &reached, w->slope[l]);
     }
@@ -229,6 +236,13 @@ int area_toner_polygon(area_toner_t *t, int32_t face, const poly_t *p, int32_t f
     const area_patch_sink_t sink = {&w, tone_part};
     return t->patched ? area_patches_cut(&t->patches, face, p, t->clip_mem, t->clip_bytes, &sink)
                       : tone_part(&w, p, 100);
+}
+
+size_t area_toner_used(const area_toner_t *t) {
+    const size_t vertices = (size_t)t->lit_most + 2 * (size_t)t->vertices_most;
+    const size_t lit = t->tone.shadow ? lit_bytes(t->m, t->tone.lights) + (size_t)t->lit.words * sizeof(int32_t) : 0;
+    return t->fixed + lit + vertices * (sizeof(poly_vertex_t) + sizeof(int32_t)) +
+           CLIP_BYTES((size_t)t->edges_most) / 2;
 }
 
 int64_t area_toner_intersections(const area_toner_t *t) {

@@ -34,6 +34,8 @@ int area_toner_make(area_toner_t **toner, const area_tone_t *tone, const solid_m
                     void *sort_mem, size_t sort_bytes);
 /* Pairs of faces that cut through each other, as the lights see them (area_stats_t). */
 int64_t area_toner_intersections(const area_toner_t *toner);
+/* Of its memory, what was in use at most. */
+size_t area_toner_used(const area_toner_t *toner);
 /* Hatches one visible polygon; line numbers count from first_line. Adds borders. Returns 0 or ERR_FULL. */
 int area_toner_polygon(area_toner_t *toner, int32_t face, const poly_t *p, int32_t first_line, intervals_t *to);
 

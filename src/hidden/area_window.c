@@ -1,16 +1,8 @@
-/* area_window.c - see area.h: memory, and the subdivision of the screen and of depth that bounds it. */
+/* area_window.c - see area.h: the subdivision of the screen and of depth, which bounds memory. */
 #include "hidden/area_sort.h"
 #include "hidden/area_weld.h"
-#include "hidden/area_wires.h"
 
 #include "error.h"
-
-/* Of what the faces leave of the memory, a part for pieces, which are as many as polygons divide each other into; of
- * the rest one for the clipper, and the other for what the pieces consist of: some 64 bytes each. */
-#define PIECES_SHARE 4
-#define CLIP_SHARE 3
-/* A window with more faces than this allows is not even tried. */
-#define PIECES_PER_FACE 3
 
 /* ---- windows ---- */
 
@@ -76,11 +68,6 @@ static int32_t count_in(const area_t *a, const area_box_t *w) {
 #define WINDOW_FACES 400
 #define WINDOWS_DEEP 24
 
-typedef struct area_progress {
-    void (*tick)(void *ctx, int32_t done, int32_t of);
-    void *ctx;
-} area_progress_t;
-
 typedef struct area_window {
     area_box_t box;
     int32_t level;
@@ -97,12 +84,26 @@ static bool halve(const area_window_t *w, int bits, area_window_t half[2]) {
     return true;
 }
 
+static void empty_pool(area_t *a) {
+    area_pool_init(&a->pool, &a->faces, a->pool.piece, a->pool.pieces_max, a->pool.word, a->pool.words_max);
+}
+
+/* The clipper's memory serves as many crossings as edges. */
+static void note_bytes(const area_t *a) {
+    const area_pool_t *p = &a->pool;
+    const size_t bytes = a->fixed + (size_t)p->pieces * sizeof(area_piece_t) + CLIP_BYTES((size_t)p->edges_most) / 2 +
+                         (size_t)p->words_most * sizeof(int32_t);
+    if (bytes > a->stats->bytes) a->stats->bytes = bytes;
+}
+
 static int sort_window(area_t *a, const area_box_t *box) {
     area_list_t list;
-    area_pool_init(&a->pool, &a->faces, a->pool.piece, a->pool.pieces_max, a->pool.word, a->pool.words_max);
+    empty_pool(a);
     a->stats->windows++;
     int err = fill(a, box, &list);
-    return err ? err : area_sort_list(a, list);
+    if (!err) err = area_sort_list(a, list);
+    note_bytes(a);
+    return err;
 }
 
 /* ---- boxes of Z ---- */
@@ -148,7 +149,7 @@ static int64_t find_far(const area_t *a, const area_box_t *w, int64_t near, int3
 
 static int sort_box(area_t *a, const area_box_t *w, int64_t near, int64_t far) {
     area_list_t list = {AREA_NONE, AREA_NONE};
-    area_pool_init(&a->pool, &a->faces, a->pool.piece, a->pool.pieces_max, a->pool.word, a->pool.words_max);
+    empty_pool(a);
     a->stats->boxes++;
     for (int32_t k = 0; k < a->faces.n; k++) {
         a->faces.face[k].on_stack = false;
@@ -158,7 +159,9 @@ static int sort_box(area_t *a, const area_box_t *w, int64_t near, int64_t far) {
         if (err) return err;
         if (piece != AREA_NONE) area_list_add(&a->pool, &list, piece);
     }
-    return area_sort_list(a, list);
+    const int err = area_sort_list(a, list);
+    note_bytes(a);
+    return err;
 }
 
 /* Weiler and Atherton's Z subdivision, from the front: a window is cut across the line of sight into boxes of few
@@ -220,7 +223,7 @@ static int sort_or_halve(area_t *a, const area_window_t *w, int32_t faces, area_
     return *halved ? 0 : err;
 }
 
-static int sort_windows(area_t *a, area_box_t all, const area_progress_t *progress) {
+int area_windows(area_t *a, area_box_t all, void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx) {
     area_window_t todo[WINDOWS_DEEP + 2] = {{all, 0}};
     int32_t n = 1, done = 0;
     while (n > 0) {
@@ -234,94 +237,7 @@ static int sort_windows(area_t *a, area_box_t all, const area_progress_t *progre
             continue;
         }
         done += 1 << (WINDOWS_DEEP - w.level);
-        if (progress->tick) progress->tick(progress->ctx, done, 1 << WINDOWS_DEEP);
+        if (tick) tick(tick_ctx, done, 1 << WINDOWS_DEEP);
     }
     return 0;
-}
-
-/* ---- memory ---- */
-
-typedef struct bump {
-    uint8_t *at;
-    size_t left;
-} bump_t;
-
-static void *take(bump_t *b, size_t bytes) {
-    bytes = (bytes + 7) & ~(size_t)7;
-    if (bytes > b->left) return NULL;
-    void *p = b->at;
-    b->at += bytes;
-    b->left -= bytes;
-    return p;
-}
-
-static int32_t most_corners(const solid_t *s) {
-    int32_t most = 0;
-    for (int32_t k = 0; k < s->nf; k++) most = s->face[k].n > most ? s->face[k].n : most;
-    return most;
-}
-
-/* The faces first, then what they leave to pieces, clipper and pool. */
-static int lay_out(area_t *a, const solid_map_t *m, void *mem, size_t bytes) {
-    const solid_t *s = m->solid;
-    bump_t b = {mem, bytes};
-    size_t most = (size_t)area_faces_most(m) + 1;
-    a->faces.face = take(&b, most * sizeof(area_face_t));
-    a->stack = take(&b, most * sizeof *a->stack);
-    a->state = take(&b, (size_t)s->nf);
-    if (!a->faces.face || !a->stack || !a->state) return ERR_FULL;
-    bump_t before = b;
-    a->faces.lattice = area_lattice(m);
-    bool clips = a->faces.lattice.clips;
-    int32_t corners = most_corners(s);
-    a->faces.vertex = take(&b, ((size_t)s->nc + (clips ? (size_t)s->nc + 8 * most : 0)) * sizeof(poly_vertex_t));
-    int32_t *corner_edge = take(&b, (size_t)s->nc * sizeof(int32_t));
-    area_corner_t *scratch = take(&b, AREA_SCRATCH(clips, corners));
-    if (!a->faces.vertex || !corner_edge || !scratch) return ERR_FULL;
-    int err = area_faces_make(&a->faces, corner_edge, a->state, scratch, corners);
-    if (err) return err;
-    a->stats->polygons = a->faces.n;
-    b = before;
-    take(&b, (size_t)a->faces.vertices * sizeof(poly_vertex_t));
-    int32_t pieces = (int32_t)(b.left / PIECES_SHARE / sizeof(area_piece_t));
-    area_piece_t *piece = take(&b, (size_t)pieces * sizeof *piece);
-    a->clip_bytes = b.left / CLIP_SHARE;
-    a->clip_mem = take(&b, a->clip_bytes);
-    size_t words = b.left / sizeof(int32_t);
-    if (!piece || !a->clip_mem || words < 64) return ERR_FULL;
-    area_pool_init(&a->pool, &a->faces, piece, pieces, (int32_t *)(void *)b.at,
-                   words > INT32_MAX / 2 ? INT32_MAX / 2 : (int32_t)words);
-    return 0;
-}
-
-size_t area_bytes(int32_t faces, int32_t corners) {
-    size_t each = sizeof(area_face_t) + 16 + PIECES_PER_FACE * sizeof(area_piece_t);
-    return (size_t)faces * each + (size_t)corners * (sizeof(poly_vertex_t) * 4 + 4) + 3 * CLIP_BYTES(400);
-}
-
-int area_sort(const solid_map_t *m, void *mem, size_t bytes, const area_sink_t *sink,
-              void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx, area_stats_t *stats) {
-    area_t a = {.sink = sink, .stats = stats};
-    *stats = (area_stats_t){.behind = m->any_behind};
-    int err = lay_out(&a, m, mem, bytes);
-    if (err) return err;
-    if (a.faces.n == 0) return area_wires(&a.faces, a.state, a.clip_mem, a.clip_bytes, sink);
-    area_box_t all = a.faces.face[0].box;
-    for (int32_t k = 1; k < a.faces.n; k++) {
-        const area_box_t *b = &a.faces.face[k].box;
-        all.x0 = b->x0 < all.x0 ? b->x0 : all.x0;
-        all.y0 = b->y0 < all.y0 ? b->y0 : all.y0;
-        all.x1 = b->x1 > all.x1 ? b->x1 : all.x1;
-        all.y1 = b->y1 > all.y1 ? b->y1 : all.y1;
-    }
-    /* What is off the paper need not be sorted. */
-    const page_window_t *page = m->lines.window;
-    int32_t unit = 1 << a.faces.lattice.bits;
-    if (all.x0 < page->x0_lat * unit) all.x0 = page->x0_lat * unit;
-    if (all.y0 < page->y0_lat * unit) all.y0 = page->y0_lat * unit;
-    if (all.x1 > page->x1_lat * unit) all.x1 = page->x1_lat * unit;
-    if (all.y1 > page->y1_lat * unit) all.y1 = page->y1_lat * unit;
-    const area_progress_t progress = {tick, tick_ctx};
-    if (all.x0 < all.x1 && all.y0 < all.y1) err = sort_windows(&a, all, &progress);
-    return err ? err : area_wires(&a.faces, a.state, a.clip_mem, a.clip_bytes, sink);
 }

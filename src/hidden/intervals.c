@@ -7,7 +7,7 @@
 
 void intervals_init(intervals_t *s, void *mem, size_t bytes) {
     size_t n = bytes / sizeof(interval_t);
-    *s = (intervals_t){mem, 0, n > INT32_MAX ? INT32_MAX : (int32_t)n};
+    *s = (intervals_t){mem, 0, n > INT32_MAX ? INT32_MAX : (int32_t)n, 0};
 }
 
 static bool is_before(const interval_t *a, const interval_t *b) {
@@ -19,6 +19,7 @@ HEAP_SORT(interval_t, is_before)
 /* Sorted, neighbours that overlap or touch become one. */
 static void unite(intervals_t *s) {
     interval_t *p = s->part;
+    if (s->n > s->most) s->most = s->n;
     heap_sort(p, s->n);
     int32_t n = 0;
     for (int32_t k = 0; k < s->n; k++) {

@@ -15,6 +15,7 @@ typedef struct interval {
 typedef struct intervals {
     interval_t *part;
     int32_t n, n_max;
+    int32_t most; /* at once, once they are finished */
 } intervals_t;
 
 /* mem aligned to 4. */

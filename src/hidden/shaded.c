@@ -3,8 +3,8 @@
 
 #include "config.h"
 #include "error.h"
+#include "hidden/shaded_cell.h"
 #include "hidden/shaded_light.h"
-#include "hidden/sweep.h"
 #include "num/ints.h"
 
 #if CONFIG_AREA
@@ -30,118 +30,9 @@ int shaded_init(shaded_t *s, int32_t nx, int32_t surfaces, void *mem, size_t byt
     return 0;
 }
 
-static const shaded_vertex_t *row_of(shaded_t *s, const layer_t *l, int32_t j) {
-    const int32_t n = 2 * l->surface + (j & 1);
-    shaded_vertex_t *row = s->row + (size_t)n * (size_t)s->nx;
-    const line_space_t *space = &s->lines[l->surface];
-    if (s->row_j[n] == j) return row;
-    for (int32_t i = 0; i < s->nx; i++) {
-        shaded_vertex_t *v = &row[i];
-        v->good = grid_height(l->grid, i, j, &v->z) && space->at(space->ctx, INK_ROW, j, i * INK_GRID_ONE, &v->h);
-        if (!space->perspective) v->h.e = (int64_t)1 << space->frac_bits;
-        if (v->good && v->h.e < space->near_e) v->good = false;
-    }
-    s->row_j[n] = j;
-    return row;
-}
-
-/* ---- a facet ---- */
-
-/* 3--2
- * |  |   the line between the rows j and j + 1, sides from the corner with the smaller index: 0-1, 1-2, 3-2, 0-3
- * 0--1 */
-typedef struct other {
-    const layer_t *layer;
-    int64_t above[4]; /* how far above the facet at its corners, in some unit */
-    bool upper;       /* its upper side is seen: it hides what it is above of */
-} other_t;
-
-typedef struct facet {
-    const shaded_vertex_t *v[4];
-    poly_point_t page[4];
-    hatch_place_t place[4]; /* along the family at hand */
-    pencil_t at[4];
-    uint32_t g[4];
-    int32_t x[4], y[4];
-    int64_t z[4];
-    bool around;
-    /* Other surfaces' facets over the same cell. */
-    other_t other[CONFIG_PLOT_ITEMS];
-    int32_t others;
-} facet_t;
+/* ---- lines across a facet ---- */
 
 static const uint8_t side_end[4][2] = {{0, 1}, {1, 2}, {3, 2}, {0, 3}};
-
-/* The corners on the page. False if one is off by more than the hatching's lattice takes: far off the paper. */
-static bool place_corners(const shaded_t *s, const shaded_vertex_t *const v[4], poly_point_t page[4]) {
-    const int64_t one = (int64_t)1 << s->hatch->bits;
-    for (int k = 0; k < 4; k++) {
-        const page_h_t *h = &v[k]->h;
-        if (!v[k]->good) return false;
-        int64_t x = ints_muldiv_round(h->x, one, h->e), y = ints_muldiv_round(h->y, one, h->e);
-        if (x > POLY_LIMIT || x < -POLY_LIMIT || y > POLY_LIMIT || y < -POLY_LIMIT) return false;
-        page[k] = (poly_point_t){(int32_t)x, (int32_t)y};
-    }
-    return true;
-}
-
-static int64_t area_of(const poly_point_t p[4]) {
-    return poly_orient(p[0], p[1], p[2]) + poly_orient(p[0], p[2], p[3]);
-}
-
-/* Does a facet that runs round the page so show its upper side? */
-static bool shows_upper(const shaded_t *s, int64_t area2) {
-    const num_t *unit = s->cam->unit;
-    return (area2 > 0) != (num_sign(unit[0]) * num_sign(unit[1]) * num_sign(unit[2]) < 0);
-}
-
-static void chart_facet(facet_t *f, const chart_t *c, const layer_t *l, int32_t i) {
-    f->around = c->kind == CHART_AROUND;
-    for (int k = 0; k < 4; k++) {
-        const int32_t col = i + (k == 1 || k == 2);
-        const chart_line_t *line = &l->line[k >= 2];
-        f->at[k] = line->at[col];
-        f->g[k] = c->kind == CHART_NORTH ? line->r : c->kind == CHART_EAST ? c->column[col].r : 1;
-        if (!f->around) continue;
-        f->x[k] = c->column[col].p;
-        f->y[k] = line->dy;
-        f->z[k] = line->z[col];
-    }
-}
-
-static void find_others(shaded_t *s, facet_t *f, const sweep_t *sw, const layer_t *l, int32_t i) {
-    uint32_t most = 1;
-    for (int k = 0; k < 4; k++) most = f->g[k] > most ? f->g[k] : most;
-    for (int32_t m = 0; m < sw->layers && sw->layers > 1; m++) {
-        const layer_t *o = &sw->layer[m];
-        if (o == l || !o->present) continue;
-        other_t *other = &f->other[f->others++];
-        const shaded_vertex_t *row[2] = {row_of(s, o, o->line[0].j), row_of(s, o, o->line[1].j)};
-        const shaded_vertex_t *const v[4] = {&row[0][i], &row[0][i + 1], &row[1][i + 1], &row[1][i]};
-        poly_point_t page[4];
-        other->layer = o;
-        other->upper = place_corners(s, v, page) && shows_upper(s, area_of(page));
-        for (int k = 0; k < 4; k++) {
-            const int32_t col = i + (k == 1 || k == 2);
-            const chart_line_t *line = &o->line[k >= 2];
-            other->above[k] = f->around ? line->z[col] - f->z[k]
-                                        : ints_muldiv_round((int64_t)line->at[col].w - f->at[k].w, most, f->g[k]);
-        }
-    }
-}
-
-/* Is all of it behind what is covered? */
-static bool is_hidden(const sweep_t *sw, const facet_t *f) {
-    horizons_t *h = (horizons_t *)(uintptr_t)&sw->edges.horizons;
-    pencil_t lo = f->at[0], hi = lo;
-    if (sw->edges.chart.kind > CHART_EAST || sw->edges.cover != COVER_HORIZONS) return false;
-    for (int k = 1; k < 4; k++) {
-        lo = (pencil_t){pencil_min(lo.a, f->at[k].a), pencil_min(lo.w, f->at[k].w)};
-        hi = (pencil_t){pencil_max(hi.a, f->at[k].a), pencil_max(hi.w, f->at[k].w)};
-    }
-    return (!h->has_upper || envelope_hides(&h->upper, lo.a, hi.a, hi.w)) &&
-           (!h->has_lower || envelope_hides(&h->lower, lo.a, hi.a, -lo.w));
-}
 
 /* One end of a line across a facet. */
 typedef struct crossing {
@@ -195,7 +86,7 @@ static int32_t mix32(int32_t a, int32_t b, int32_t share_q30) {
 }
 
 /* Puts end n of a segment where a side of the facet is crossed. */
-static void put_end(const facet_t *f, const crossing_t *c, edges_segment_t *seg, stretch_t *k, int n) {
+static void put_end(const shaded_cell_t *f, const crossing_t *c, edges_segment_t *seg, stretch_t *k, int n) {
     const int a = side_end[c->side][0], b = side_end[c->side][1];
     const int64_t ea = f->v[a]->h.e, eb = f->v[b]->h.e;
     const int32_t share = share_of(c->part_q30, ea, eb);
@@ -236,8 +127,8 @@ static edges_segment_t part_of(const edges_segment_t *seg, bool around, int32_t 
 }
 
 /* A part in which the others keep their sides. */
-static int look_at_part(sweep_t *sw, const facet_t *f, const edges_segment_t *seg, const stretch_t *k, int32_t from,
-                        int32_t to) {
+static int look_at_part(sweep_t *sw, const shaded_cell_t *f, const edges_segment_t *seg, const stretch_t *k,
+                        int32_t from, int32_t to) {
     edges_t *e = &sw->edges;
     const int32_t middle = from + (to - from) / 2;
     stretch_t part = *k;
@@ -259,7 +150,7 @@ static int look_at_part(sweep_t *sw, const facet_t *f, const edges_segment_t *se
 }
 
 /* The line between two crossings, cut where it passes through another surface. */
-static int hatch_stretch(shaded_t *s, sweep_t *sw, const facet_t *f, const crossing_t c[2], int32_t line) {
+static int hatch_stretch(shaded_t *s, sweep_t *sw, const shaded_cell_t *f, const crossing_t c[2], int32_t line) {
     edges_segment_t seg = {.g = {1, 1}};
     stretch_t k = {.s = s, .line = line};
     if (c[0].t_q30 >= c[1].t_q30) return 0;
@@ -283,7 +174,7 @@ static int hatch_stretch(shaded_t *s, sweep_t *sw, const facet_t *f, const cross
     return 0;
 }
 
-static int hatch_line(shaded_t *s, sweep_t *sw, const facet_t *f, bool second, int32_t k) {
+static int hatch_line(shaded_t *s, sweep_t *sw, const shaded_cell_t *f, bool second, int32_t k) {
     crossing_t c[4];
     int n = 0;
     for (int side = 0; side < 4; side++) {
@@ -299,7 +190,7 @@ static int hatch_line(shaded_t *s, sweep_t *sw, const facet_t *f, bool second, i
     return err;
 }
 
-static int hatch_family(shaded_t *s, sweep_t *sw, facet_t *f, bool second, int32_t step) {
+static int hatch_family(shaded_t *s, sweep_t *sw, shaded_cell_t *f, bool second, int32_t step) {
     int64_t low = INT64_MAX, high = INT64_MIN;
     int32_t lo, hi;
     for (int k = 0; k < 4; k++) {
@@ -315,13 +206,13 @@ static int hatch_family(shaded_t *s, sweep_t *sw, facet_t *f, bool second, int32
 
 int shaded_facet(shaded_t *s, sweep_t *sw, const layer_t *l, int32_t i) {
     const int32_t j = l->line[0].j;
-    const shaded_vertex_t *row[2] = {row_of(s, l, j), row_of(s, l, j + 1)};
-    facet_t f = {.v = {&row[0][i], &row[0][i + 1], &row[1][i + 1], &row[1][i]}};
-    if (!place_corners(s, f.v, f.page)) return 0;
-    const int64_t area2 = area_of(f.page);
-    chart_facet(&f, &sw->edges.chart, l, i);
-    if (area2 == 0 || is_hidden(sw, &f)) return 0;
-    find_others(s, &f, sw, l, i);
+    const shaded_vertex_t *row[2] = {shaded_row(s, l, j), shaded_row(s, l, j + 1)};
+    shaded_cell_t f = {.v = {&row[0][i], &row[0][i + 1], &row[1][i + 1], &row[1][i]}};
+    if (!shaded_place(s, f.v, f.page)) return 0;
+    const int64_t area2 = shaded_area2(f.page);
+    shaded_chart(&f, &sw->edges.chart, l, i);
+    if (area2 == 0 || shaded_is_hidden(sw, &f)) return 0;
+    shaded_others(s, &f, sw, l, i);
     enum hatch_tone tone = hatch_tone_of(shaded_brightness(s, l->grid, i, j, f.v, area2 < 0));
     int err = 0;
     for (int second = 0; second < 2 && !err; second++) {

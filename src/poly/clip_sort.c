@@ -13,20 +13,12 @@ static uint32_t word(const clip_seg_t *s, int which) {
     return (uint32_t)(which == BY_X ? s->l.x : s->l.y) ^ 0x80000000u;
 }
 
-/* Borders run to and fro, so what comes next often has its place at one of the ends; else it is looked for. */
 static void insertion(clip_seg_t *s, int32_t n) {
     for (int32_t k = 1; k < n; k++) {
-        const clip_seg_t moved = s[k];
-        if (!poly_before(moved.l, s[k - 1].l)) continue;
-        int32_t lo = 0;
-        for (int32_t left = k - 1; left > 0;) { /* without a branch to guess wrong */
-            const int32_t half = left / 2;
-            const bool before = poly_before(moved.l, s[lo + half].l);
-            lo = before ? lo : lo + half + 1;
-            left = before ? half : left - half - 1;
-        }
-        memmove(s + lo + 1, s + lo, (size_t)(k - lo) * sizeof *s);
-        s[lo] = moved;
+        clip_seg_t moved = s[k];
+        int32_t j = k;
+        for (; j > 0 && poly_before(moved.l, s[j - 1].l); j--) s[j] = s[j - 1];
+        s[j] = moved;
     }
 }
 

@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "error.h"
+#include "hidden/area_face.h"
 #include "tests/oracle/num_of.h"
 #include "tests/oracle/page_ink.h"
 #include "tests/oracle/run_cases.h"
@@ -327,9 +328,11 @@ static void depth_is_divided_where_memory_is_short(void **state) {
             assert_int_equal(solid_stage_make(&t, &s, true), 0);
             t.bytes = kilobytes << 10;
             int err = solid_stage_judge(&t, &s, 0, &r, &good);
-            print_message(
-                "# area sort, 60 polygons as large as the picture, %zu bytes: %d windows, %d boxes of depth%s\n",
-                t.bytes, t.sorted.windows, t.sorted.boxes, err ? ", full" : "");
+            print_message("# area sort, 60 polygons as large as the picture, %zu bytes (%zu used): %d windows, %d "
+                          "boxes of depth%s\n",
+                          t.bytes, t.stats.bytes, t.sorted.windows, t.sorted.boxes, err ? ", full" : "");
+            assert_true(t.stats.bytes <= t.bytes);
+            assert_true(err || t.stats.bytes > 60 * sizeof(area_face_t));
             assert_true(err == 0 ? good : err == ERR_FULL);
             boxes += err ? 0 : t.sorted.boxes;
             solid_stage_free(&t);
