@@ -1,12 +1,14 @@
 /* solid_double.c - faces that a mesh has twice, perhaps for both of its sides: each becomes one, since otherwise none
  * of its edges would be between two faces. Found in the memory of the edges' hash table. */
+#include "config.h"
+#include "hidden/heap_sort.h"
 #include "scene/solid_build.h"
 #include <string.h>
 
 /* Does face f have the corners of face g, this way round or the other? */
 static bool is_double(const solid_build_t *b, int32_t f, int32_t g) {
     const int32_t n = b->face[f].n, *c = b->corner + b->face[f].corner, *d = b->corner + b->face[g].corner;
-    if (b->face[g].n != n || b->group[f] != b->group[g]) return false;
+    if (b->face[g].n != n || b->group[f] != b->group[g] || b->face[f].clear != b->face[g].clear) return false;
     int32_t first = 0, k = 0, step = 1;
     while (first < n && d[first] != c[0]) first++;
     if (first == n) return false;
@@ -23,6 +25,23 @@ static int32_t *slot_of_face(const solid_build_t *b, int32_t f) {
         int32_t *slot = &b->slot[h & (b->slots - 1)];
         if (*slot < 0 || is_double(b, f, *slot)) return slot;
     }
+}
+
+static bool is_before(const solid_edge_t *a, const solid_edge_t *b) {
+    return a->face[0] != b->face[0] ? a->face[0] < b->face[0] : a->twin < b->twin;
+}
+HEAP_SORT(solid_edge_t, is_before)
+
+/* Details go to the faces that stay, behind those that are there. Their tones, and the order on a face, are kept. */
+static void move_details(solid_build_t *b) {
+    for (int32_t k = 0; k < b->s->nd; k++) {
+        solid_edge_t *e = &b->detail[k];
+        e->face[0] = (int32_t)b->parent[e->face[0]];
+        if (e->face[1] >= 0) e->face[1] = e->face[0];
+        e->twin = k;
+    }
+    heap_sort(b->detail, b->s->nd);
+    for (int32_t k = 0; k < b->s->nd; k++) b->detail[k].twin = -1;
 }
 
 bool solid_drop_doubles(solid_build_t *b) {
@@ -44,7 +63,6 @@ bool solid_drop_doubles(solid_build_t *b) {
             b->corner[s->nc++] = b->corner[first + k];
         }
     }
-    for (int32_t k = 0; k < s->nd; k++)
-        b->detail[k].face[0] = b->detail[k].face[1] = (int32_t)b->parent[b->detail[k].face[0]];
+    if (CONFIG_AREA && s->nf < all) move_details(b); /* others draw them as lines of their own */
     return s->nf < all;
 }

@@ -1,7 +1,8 @@
 /* Polygons with a tone on a face (`d ... tone P`), from OBJ text to parts of the visible polygon: at random places of
  * the face, has the part that a place falls into the tone of the last patch around it, and is there one part there? The
  * reference knows nothing of clipping or pages: patches are chosen in the face's own plane, as even-odd contours of
- * whole numbers, and that is where it looks. Faces may reach behind the eye, patches over the border of the face.
+ * whole numbers, and that is where it looks. Faces may reach behind the eye, patches over the border of the face, and
+ * the face may be there three times, with patches on each.
  *
  * Places which rounding to the lattice may move over a border are left out. RIDGELINE_CASES tries so many times more,
  * RIDGELINE_SEED=n one. */
@@ -89,10 +90,14 @@ static void write_scene(void) {
     char *to = c.text;
     for (int k = 0; k < 4; k++) write_vertex(face[k], &to);
     to += sprintf(to, "f 1 2 3 4\n");
+    const bool again = below(3) == 0; /* three times, of which one stays (solid_double.c) */
+    if (again) to += sprintf(to, "d 1 2\nf 4 3 2 1\n");
     for (int k = 0; k < c.patches; k++) {
         if (below(3) == 0) to += sprintf(to, "d 1 3\n"); /* lines among them */
+        if (again && k == 1) to += sprintf(to, "f 3 4 1 2\n");
         write_patch(&c.patch[k], &to);
     }
+    if (again && c.patches < 2) to += sprintf(to, "f 3 4 1 2\n");
 }
 
 static void choose(void) {
