@@ -151,7 +151,11 @@ int halo_ink_draw(const halo_source_t *source, int32_t width, bool ends, const h
     if (err == 0) err = halo_cut(h, ends ? width : 0);
     stats->tests = h->tests;
     stats->crossings = err == 0 || h->crossings > 0 ? h->crossings : 0;
-    stats->bytes = err == 0 || h->crossings > 0 ? h->used : HALO_BYTES_PER_EDGE_LEAST * (size_t)stats->edges;
+    stats->bytes = h->used;
+    if (err != 0 && h->crossings <= 0) { /* it came to the edges, or to their grid */
+        stats->bytes = HALO_BYTES_PER_EDGE_LEAST * (size_t)stats->edges;
+        if (stats->bytes <= rest.bytes) stats->bytes = HALO_BYTES(stats->edges, 0);
+    }
     stats->bytes += HIDDEN_LENT(halo_ink_t) + HIDDEN_LENT(halo_t);
     if (err != 0) return err;
     d->edge = -1;

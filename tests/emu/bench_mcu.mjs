@@ -123,7 +123,7 @@ function qemu(board, shape, n, seconds) {
 function counted() {
   console.log('\nQEMU: instructions per facet for evaluating, projecting and hiding (as often as the board does so at a time)\n');
   console.log('| board | surface | n | instructions a facet |\n|---|---|--:|--:|');
-  for (const [board, shape, n] of [['lm3s6965', 'smooth', 60], ['lm3s6965', 'random', 60], ['nrf51', 'smooth', 60], ['nrf51', 'random', 32]]) {
+  for (const [board, shape, n] of [['lm3s6965', 'smooth', 60], ['lm3s6965', 'random', 60], ['nrf51', 'smooth', 60], ['nrf51', 'random', 32], ['nrf51', 'random', 60]]) {
     const said = execFileSync('sh', ['tests/emu/bench_count.sh', build, board, stimulus(shape, n, '')], { encoding: 'utf8', timeout: 300e3 });
     console.log(`| ${board} | ${shape} | ${n} | ${Math.round(Number(said) / (n - 1) ** 2).toLocaleString('en')} |`);
   }
@@ -153,5 +153,5 @@ counted();
 const r = pico('smooth', 60, 'quit', '', '+230000000 type memory\\r\n+230300000 quit');
 memory('Pico, smooth 60x60, A4, 100 mm/s, drawn to the end', r.text);
 polygons();
-for (const [shape, n, seconds] of [['smooth', 60, 120], ['random', 32, 200]])
+for (const [shape, n, seconds] of [['smooth', 60, 120], ['random', 32, 200], ['random', 60, 400]])
   memory(`micro:bit, ${shape} ${n}x${n}, drawn to the end on small paper`, qemu('nrf51', shape, n, seconds));

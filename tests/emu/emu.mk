@@ -44,7 +44,7 @@ test-emu: ## run every board's image in its emulator against the simulator
 test-emu-run: host $(BOARD_NEEDS)
 	$(Q)$(RUN_TESTS) $(BOARD_TESTS)
 
-.PHONY: bench-mcu bench-mcu-run bench-mcu-large
+.PHONY: bench-fits bench-mcu bench-mcu-run bench-mcu-large
 bench-mcu-large: host $(EMUDIR)/node_modules/.ready $(BUILDDIR)/firmware/rp2040.bin ## the Pico's largest scenes in its emulator, to the end (half an hour; LARGE="smooth 300")
 	$(Q)node tests/emu/bench_mcu.mjs $(BUILDDIR) large
 bench-mcu: ## cycles per facet, memory and stack on the boards, in emulators, beside gnuplot (SIZES="20 60" RANDOM="20")
@@ -52,6 +52,8 @@ bench-mcu: ## cycles per facet, memory and stack on the boards, in emulators, be
 	+$(Q)$(again) bench-mcu-run
 bench-mcu-run: $(EMUDIR)/scope.so $(EMUDIR)/count.so $(EMUDIR)/node_modules/.ready $(IMAGES) $(BUILDDIR)/bench/cpu_time
 	$(Q)node tests/emu/bench_mcu.mjs $(BUILDDIR)
+bench-fits: $(EMUDIR)/sim-lm3s6965 $(EMUDIR)/sim-nrf51 ## the largest scenes that fit into the small boards' memory
+	$(Q)sh tests/emu/bench_fits.sh $(BUILDDIR) lm3s6965 nrf51
 # Images of their own, which no rate is too high for.
 .PHONY: bench-rates bench-rates-run
 bench-rates: ## the highest rate of steps of each board that is in time, in emulators
