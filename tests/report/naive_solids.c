@@ -44,8 +44,8 @@ static void paint(buffer_t *b, const spot_t *s, int n) {
         dy = ((r->near - p->near) * ax - (q->near - p->near) * bx) / area;
     }
     if (best == 0) return;
-    for (int y = (int)fmaxf(0, floorf(lo[1])); y <= hi[1] && y < b->rows; y++)
-        for (int x = (int)fmaxf(0, floorf(lo[0])); x <= hi[0] && x < b->columns; x++) {
+    for (int y = (int)fmaxf(0, floorf(lo[1])); (float)y <= hi[1] && y < b->rows; y++)
+        for (int x = (int)fmaxf(0, floorf(lo[0])); (float)x <= hi[0] && x < b->columns; x++) {
             const float cx = (float)x + .5f, cy = (float)y + .5f;
             bool in = false;
             for (int i = 0; i < n; i++) {
