@@ -48,9 +48,9 @@ static const struct {
      "The lattice of the page, since the paper's method decides on the page: no map to another one, and 32-bit words "
      "with products of 64."},
     {"clip", 8.68, "vertex",
-     "The lattice of the page for the same reason. Every crossing is rounded to it; its area is off by a few "
-     "thousandths "
-     "of a step times the border."},
+     "The lattice of the page for the same reason. Its error is an area, that which is missing or false over the "
+     "length "
+     "of the border, so even a lattice of steps is a tenth of a step off; crossings are rounded to it."},
 };
 #define KERNELS ((int)(sizeof kernels / sizeof *kernels))
 
