@@ -272,7 +272,8 @@ int main(int argc, char **argv) {
     printf(
         "The fixed formats fail by range, not by precision: they are good where heights are near 1 and useless a few "
         "powers of ten away, and a plotter of functions cannot choose its functions. A float fails on small "
-        "differences. On this machine `exp(-x*x-y*y)` takes %.0f ns as interpreted integer arithmetic, %.0f compiled "
+        "differences.\n\nOn this machine `exp(-x*x-y*y)` takes %.0f ns as interpreted integer arithmetic, %.0f "
+        "compiled "
         "in "
         "double and %.0f in float; a Cortex-M0 has neither.\n",
         t[2], t[1], t[0]);

@@ -16,7 +16,7 @@ without_times() {
         }
         /^[|]/ { line = ""; for (i = 2; i < NF; i++) if (!skip[i]) line = line "|" $i; print line; next }
         { table = 0 }
-        /[tT]imes?[ :,.(]|R\^2/ { next }
+        /[tT]imes?[ :,.(]|R\^2|^On this machine/ { next }
         { print }' "$1" || echo "awk failed on $1" $$
 }
 for f in $(cd "$1" && ls; cd "$OLDPWD" && cd "$2" && ls); do echo "$f"; done | sort -u >"$work/files"
