@@ -38,6 +38,7 @@ static int open_block(session_t *s, lexer_t *lx, session_block_t block) {
 }
 
 static int condition(session_t *s, lexer_t *lx, bool *yes) {
+    *yes = false;
     if (lx->tok.kind != '(') return lexer_unexpected(lx, &s->error, "a condition in brackets expected");
     num_t v;
     int err = expr_number(&s->lang, lx, &v, &s->error);
@@ -158,7 +159,7 @@ static int do_command(session_t *s, lexer_t *lx) {
 
 static int while_command(session_t *s, lexer_t *lx) {
     const session_block_t block = {.kind = BLOCK_WHILE, .again = lx->tok.start};
-    bool yes = false;
+    bool yes;
     int err = condition(s, lx, &yes);
     if (!err) err = one_turn_more(s, lx);
     if (err) return err;

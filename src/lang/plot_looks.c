@@ -53,6 +53,9 @@ static int colour(session_t *s, lexer_t *lx) {
         lexer_next(lx);
         return 0;
     }
+#if CONFIG_LOAD_DEPTH
+    if (lexer_is_name(lx, "ls") || lexer_is_name(lx, "lt")) lexer_next(lx); /* that of a style */
+#endif
     return expr_number(&s->lang, lx, &number, &s->error);
 }
 
