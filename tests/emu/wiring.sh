@@ -13,7 +13,7 @@ says 'ALARM: a limit switch closed'
 turned=
 # What is at the pen's pin follows its bit within 1 ms; pen.mjs judges it.
 pen='solenoid 0.03 40'
-[ $board = rp2040 ] || pen="$pen 1000 20" # by the program: 1 kHz
+[ $board = rp2040 ] || pen="$pen 1000 50" # by the program: 1 kHz, an edge when nothing more urgent goes on
 scene solenoid $within
 pen=
 [ $board = rp2040 ] || return 0
