@@ -11,18 +11,32 @@ static page_h_t to_h(const page_map_t *m, const num_t v[3]) {
     return (page_h_t){num_to_fixed(v[0], f, NULL), num_to_fixed(v[1], f, NULL), num_to_fixed(v[2], f, NULL)};
 }
 
+/* a * b * 2^frac_bits to nearest, below 2^61 as all shares are: the 61 bits or more of the product's upper word are
+ * enough, and nothing is normalised on the way. */
+static int64_t product(num_t a, num_t b, int frac_bits) {
+    const int32_t drop = -(a.e + b.e + 64 + frac_bits);
+    const int64_t p = wide_mulhi_s64(a.m, b.m);
+    if (drop <= 0 || drop > 62) return drop == 0 ? p : num_to_fixed(num_mul(a, b), frac_bits, NULL);
+    return (p + ((int64_t)1 << (drop - 1))) >> drop; /* |p| <= 2^62 */
+}
+
+/* What dx along axis k adds. */
+static page_h_t share(const page_map_t *m, int axis, num_t dx) {
+    const int f = m->lines.frac_bits;
+    return (page_h_t){product(m->cam->m[0][axis], dx, f), product(m->cam->m[1][axis], dx, f),
+                      product(m->cam->m[2][axis], dx, f)};
+}
+
 /* Shares are taken from the middle of the grid, so that a scene far from the world's origin loses nothing. */
 static page_h_t col_share(const page_map_t *m, int32_t i) {
-    num_t v[3], x = num_sub(m->grid->src->x_of(m->grid->src->ctx, i), m->origin[0]);
-    for (int k = 0; k < 3; k++) v[k] = num_mul(m->cam->m[k][0], x);
-    return to_h(m, v);
+    return share(m, 0, num_sub(m->grid->src->x_of(m->grid->src->ctx, i), m->origin[0]));
 }
 
 /* The row's share, and the constant one. */
 static page_h_t row_share(const page_map_t *m, int32_t j) {
-    num_t v[3], y = num_sub(m->grid->src->y_of(m->grid->src->ctx, j), m->origin[1]);
-    for (int k = 0; k < 3; k++) v[k] = num_add(m->origin_h[k], num_mul(m->cam->m[k][1], y));
-    return to_h(m, v);
+    const page_h_t r = share(m, 1, num_sub(m->grid->src->y_of(m->grid->src->ctx, j), m->origin[1]));
+    const page_h_t o = to_h(m, m->origin_h);
+    return (page_h_t){r.x + o.x, r.y + o.y, r.e + o.e};
 }
 
 /* Both together, all of a vertex but its height. */
@@ -46,9 +60,7 @@ static inline int64_t height_share(const page_map_t *m, int k, int32_t zi) {
 }
 
 static page_h_t value_share(const page_map_t *m, num_t z) {
-    num_t v[3], dz = num_sub(z, m->origin[2]);
-    for (int k = 0; k < 3; k++) v[k] = num_mul(m->cam->m[k][2], dz);
-    return to_h(m, v);
+    return share(m, 2, num_sub(z, m->origin[2]));
 }
 
 static __attribute__((noinline)) void tall_vertex_at(const page_map_t *m, int32_t i, int32_t j, num_t z, page_h_t *h) {
