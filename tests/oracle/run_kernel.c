@@ -81,7 +81,7 @@ int run_several(const surface_ref_t *sheet, int n, run_drawing_t *d, hidden_stat
     return err;
 }
 
-uint16_t run_strips;
+hidden_strips_t run_strips;
 
 int run_perimeter_in(const scene_t *s, run_drawing_t *d, size_t bytes, hidden_stats_t *stats) {
     surface_ref_t ref = s->ref;
@@ -92,9 +92,8 @@ int run_perimeter_in(const scene_t *s, run_drawing_t *d, size_t bytes, hidden_st
     *stats = (hidden_stats_t){0};
     int err = grid_measure(&g, &surface, NULL, NULL, NULL, NULL, NULL);
     if (err) return err;
-    hidden_strips_t strips = {run_strips, false};
     hidden_job_t job = {.mem = malloc(bytes ? bytes : 1), .bytes = bytes, .sink = &sink};
-    if (run_strips) job.strips = &strips;
+    if (run_strips.ends) job.strips = &run_strips;
     if (!job.mem) abort();
     err = perimeter_draw(&g, &cam, &job, stats);
     free(job.mem);

@@ -22,8 +22,8 @@ ink_sink_t run_sink(run_drawing_t *d);
 /* Draws s by the perimeter kernel, with plenty of memory. Returns its result. */
 int run_perimeter(const scene_t *s, run_drawing_t *d, hidden_stats_t *stats);
 
-/* In which strips run_perimeter hides: hidden_strips_t.ends, 0: as a whole. */
-extern uint16_t run_strips;
+/* In which strips run_perimeter hides; ends 0: as a whole. */
+extern hidden_strips_t run_strips;
 /* The same in so many bytes of memory, lent from the heap so that a sanitizer sees its ends. */
 int run_perimeter_in(const scene_t *s, run_drawing_t *d, size_t bytes, hidden_stats_t *stats);
 

@@ -61,9 +61,9 @@ static void test_same_ink(void **state) {
         run_drawing_t a = {0}, b = {0};
         hidden_stats_t together, strips;
         scene_random(&s, seed, 16, false);
-        run_strips = 0;
+        run_strips.ends = 0;
         int err = run_perimeter(&s, &a, &together);
-        run_strips = (uint16_t)(seed * 0x9e3779b97f4a7c15u >> 48 | HIDDEN_TWO_STRIPS);
+        run_strips.ends = (uint16_t)(seed * 0x9e3779b97f4a7c15u >> 48 | HIDDEN_TWO_STRIPS);
         assert_int_equal(run_perimeter(&s, &b, &strips), err);
         normalise(&a);
         normalise(&b);
@@ -72,7 +72,7 @@ static void test_same_ink(void **state) {
             most = fmax(most, off);
         else /* lines that fall together may be drawn or not */
             assert_true(cases_surface(&judged, &s, seed, true));
-        run_strips = 0;
+        run_strips.ends = 0;
         assert_int_equal(together.facets, strips.facets);
         assert_int_equal(together.edges, strips.edges);
         pieces += (int64_t)a.n;
@@ -88,7 +88,52 @@ static void test_same_ink(void **state) {
         (long long)pieces, most, (long long)judged.run, (double)part / (double)whole);
 }
 
+/* As a board does it: a trial divides the strips until they fit into less memory than the whole needs; drawn with those
+ * in the same memory, it is the same ink. */
+static void test_divided(void **state) {
+    (void)state;
+    int64_t drawn = 0, divided = 0, refused = 0, judged = 0;
+    uint64_t first = cases_first(16000, 1000);
+    for (uint64_t seed = first; seed < first + cases_scaled(1000); seed++) {
+        scene_t s;
+        run_drawing_t a = {0}, trial = {0}, b = {0};
+        hidden_stats_t whole, stats;
+        cases_t cases = {.name = "divided", .program = "test_strips"};
+        scene_random(&s, seed, 24, false);
+        run_strips = (hidden_strips_t){0, false};
+        if (run_perimeter(&s, &a, &whole) == 0) {
+            const size_t bytes = whole.bytes - whole.bytes / (3 + seed % 8);
+            run_strips = (hidden_strips_t){HIDDEN_TWO_STRIPS, true};
+            int err = run_perimeter_in(&s, &trial, bytes, &stats);
+            if (err) assert_int_equal(err, ERR_FULL);
+            refused += err != 0;
+            if (!err) {
+                run_strips.divide = false;
+                assert_int_equal(run_perimeter_in(&s, &b, bytes, &stats), 0);
+                assert_int_equal(stats.edges, whole.edges);
+                divided += stats.strips > 2;
+                drawn++;
+                normalise(&a);
+                normalise(&b);
+                if (compare(&a, &b) > ENDS) {
+                    assert_true(cases_surface(&cases, &s, seed, true));
+                    judged++;
+                }
+            }
+        }
+        run_strips.ends = 0;
+        run_drawing_free(&a);
+        run_drawing_free(&trial);
+        run_drawing_free(&b);
+        scene_free(&s);
+    }
+    assert_true(divided > 0);
+    print_message(
+        "# strips: %lld scenes in 2/3 to 9/10 of the memory, %lld in more than two strips, %lld refused; %lld judged\n",
+        (long long)drawn, (long long)divided, (long long)refused, (long long)judged);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_same_ink)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_same_ink), cmocka_unit_test(test_divided)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
