@@ -23,6 +23,7 @@ void session_forget_names(session_t *s) {
 #if CONFIG_CONTROL
     s->texts.used = 0;
     s->lang.texts = &s->texts;
+    texts_set(&s->texts, "GPVAL_ENCODING", 14, "utf8"); /* which many scripts save and set again */
 #endif
 }
 

@@ -22,4 +22,14 @@ void show_symbols(session_t *s, enum symbol_kind kind) {
         text_add(&t, "\n");
         s->port->print(s->port->ctx, line);
     }
+#if CONFIG_CONTROL
+    const texts_t *x = &s->texts;
+    for (size_t at = 0; kind == SYMBOL_VARIABLE && at < x->used; at += strlen(x->store + at) + 1) {
+        s->port->print(s->port->ctx, x->store + at);
+        s->port->print(s->port->ctx, " = \"");
+        at += strlen(x->store + at) + 1;
+        s->port->print(s->port->ctx, x->store + at);
+        s->port->print(s->port->ctx, "\"\n");
+    }
+#endif
 }

@@ -47,11 +47,16 @@ whole = 3
 print whole + 1
 reset session
 print exists("base")
+base = "d"; show variables
 END
     ours a.gp a.svg >out
     [ "$(cat out)" = 'd1.mat 1 0 1 ab1
 4
-0' ]
+0
+pi = 3.14159265358979
+NaN = NaN
+GPVAL_ENCODING = "utf8"
+base = "d"' ]
     expect_text a.svg '<title>d is 1 of 99.5%'
     expect_text a-3.svg '<title>page 2'
     [ -e a-5.svg ] && [ ! -e a-6.svg ]
