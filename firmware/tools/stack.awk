@@ -22,7 +22,7 @@ function registers(list,    n, part, i, sum, ends) { # of {r4, r5, lr} or {r4-r7
 # The words of the image, as they stand in memory: an odd one may be a function's address.
 /^ [0-9a-f]+ [0-9a-f]/ && NF > 1 && !/:/ {
     for (i = 2; i <= 5 && length($i) == 8 && $i ~ /^[0-9a-f]+$/; i++)
-        word[substr($i, 7, 2) substr($i, 5, 2) substr($i, 3, 2) substr($i, 1, 2)] = 1
+        word[substr($i, 7, 2) substr($i, 5, 2) substr($i, 3, 2) substr($i, 1, 2)]++
     next
 }
 # A function is known by where it is: several may have one name.
@@ -39,6 +39,15 @@ f == "" || !/^ *[0-9a-f]+:\t/ { next }
     split($0, col, "\t")
     op = col[2]; arg = col[3]
     here = $1; sub(/:/, "", here)
+}
+# A veneer holds the address of what it calls.
+op == ".word" && name[f] ~ /_veneer$/ {
+    to = substr(arg, 3, 8)
+    word[to]--
+    to = substr(to, 1, 7) substr("0022446688aaccee", index("0123456789abcdef", substr(to, 8)), 1); sub(/^0+/, "", to)
+    calls[f] = calls[f] " " to
+    indirect[f] = 0
+    next
 }
 op == ".word" { value[here] = substr(arg, 3, 8); next }
 op ~ /^push/ || (op ~ /^stmdb/ && arg ~ /^sp!/) { frame[f] += 4 * registers(arg); next }
@@ -96,7 +105,7 @@ END {
     for (g in at) {
         last = at[g]
         odd = substr(last, 1, 7) substr("1133557799bbddff", index("0123456789abcdef", substr(last, 8)), 1)
-        if ((odd in word) && name[g] !~ /_isr$|^console_panic$|^start_reset$|^CSWTCH/) {
+        if (word[odd] > 0 && name[g] !~ /_isr$|^console_panic$|^start_reset$|^CSWTCH/) {
             for (k = 1; k <= ranks && known[g] !~ rank[k]; k++) continue
             if (k > ranks) unknown = unknown " " known[g]
             target[g] = k

@@ -120,8 +120,7 @@ static void after_line(console_t *c, const char *line, int err) {
     if (strstr(line, "mach")) c->machine_line = true;
 }
 
-/* A line, or what of it stands before or behind a command of the board. */
-static int execute_part(console_t *c, const char *line) {
+int console_line(console_t *c, const char *line) {
     const bool was_data = session_state(&c->session) == SESSION_DATA;
     const int err = session_line(&c->session, line);
     c->session.quit = false; /* there is nowhere to go */
@@ -139,7 +138,7 @@ int console_execute(console_t *c, char *line) {
         if (number >= 0) {
             if (from > line) { /* first what stands before */
                 from[-1] = '\0';
-                err = execute_part(c, line);
+                err = console_line(c, line);
                 if (!err && session_state(&c->session) != SESSION_READY) {
                     say("rows come first: say it when they are over\n");
                     return 0;
@@ -152,7 +151,7 @@ int console_execute(console_t *c, char *line) {
             break;
         }
     }
-    return execute_part(c, line);
+    return console_line(c, line);
 }
 
 static void prompt(console_t *c) {

@@ -102,7 +102,8 @@ int console_keep_settings(console_t *c) {
     return keep_text(c, STORE_SETTINGS, r, len, room);
 }
 
-/* Line by line. A plot may use the memory that the text lies in: it is the last line. */
+/* Line by line, none with a command of the board. A plot may use the memory that the text lies in: it is the last line.
+ */
 static int run_text(console_t *c, char *text, int len) {
     char *end = text + len;
     int err = 0;
@@ -111,7 +112,7 @@ static int run_text(console_t *c, char *text, int len) {
         char *lf = memchr(text, '\n', (size_t)(end - text));
         if (!lf) break;
         *lf = '\0';
-        err = console_execute(c, text);
+        err = console_line(c, text);
         text = lf + 1;
     }
     c->loading = false;
@@ -122,7 +123,9 @@ void console_load_settings(console_t *c) {
     size_t room, text;
     store_record_t *r = borrow(c, &room, &text);
     int len = store_load(STORE_SETTINGS, r, room);
-    if (len >= 0) run_text(c, r->text, len);
+    const int before = len - (int)(sizeof AUTORUN - 1);
+    c->autorun = before >= 0 && memcmp(r->text + before, AUTORUN, sizeof AUTORUN - 1) == 0;
+    if (len >= 0) run_text(c, r->text, c->autorun ? before : len);
     console_wire(c);
     c->kept_machine = c->session.settings.machine;
 }

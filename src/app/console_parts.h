@@ -9,6 +9,8 @@ void *console_free_memory(console_t *c, size_t *bytes);
 /* Carries out a line: commands of the board and of the language, up to one that is wrong. 0 or the error, which has
  * been said. The line is written over. */
 int console_execute(console_t *c, char *line);
+/* A line of the language, or what of a line stands before or behind a command of the board. */
+int console_line(console_t *c, const char *line);
 
 /* console_draw.c: the session's plot(). */
 int console_draw(console_t *c, const plot_t *plot);

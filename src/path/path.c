@@ -222,18 +222,25 @@ static bool is_hungry(const path_fed_t *f) {
     return f->ahead_us <= (small ? f->outbox.us / 2 : FEED_LEAST_US);
 }
 
-int path_advance(path_t *p, int32_t us) {
-    if (!fed_of(p)) return 0;
+/* us have passed: does the pen need strokes? */
+static bool wants_strokes(path_t *p, int32_t us) {
     pump(p);
     fed_of(p)->ahead_us -= us;
-    if (fed_of(p)->error || !is_hungry(p->fed)) return fed_of(p)->error;
+    return !fed_of(p)->error && is_hungry(p->fed);
+}
+
+int path_advance(path_t *p, int32_t us) {
+    if (!fed_of(p)) return 0;
+    if (!wants_strokes(p, us)) return fed_of(p)->error;
     int err = p->pool.n == 0 ? join_finish(&p->join) : 0;
     return err || p->pool.n == 0 ? err : flush(p, FLUSH_FEED);
 }
 
 /* What is in the pool will be put in order, which takes time. */
 static int before_order(path_t *p) {
-    return fed_of(p) ? path_advance(p, p->pool.n * p->config.feed->order_us) : 0;
+    if (!fed_of(p)) return 0;
+    if (!wants_strokes(p, p->pool.n * p->config.feed->order_us) || p->pool.n == 0) return fed_of(p)->error;
+    return flush(p, FLUSH_FEED);
 }
 
 static int take_run(void *ctx, const ink_piece_t *run) {
