@@ -120,7 +120,7 @@ void page_grid_walk(const page_grid_t *g, const solid_place_t *a, const solid_pl
                             (a->x < b->x ? b->x : a->x) + off_lat, b->y + off_lat};
     const cells_t c = cells_of(g, &box);
     if (c.c0 > c.c1) return;
-    if (c.r0 == c.r1 || c.c0 == c.c1) {
+    if (c.r0 == c.r1 || c.c0 == c.c1 || a->y == b->y) { /* a level line between two rows is in both */
         for (int32_t r = c.r0; r <= c.r1; r++)
             if (!visit_cells(g, r, c.c0, c.c1, visit, ctx)) return;
         return;
