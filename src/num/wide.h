@@ -156,6 +156,20 @@ static inline wide_t wide_from_s64(int64_t a) {
 }
 
 /* a + b, a - b, -a modulo 2^128. */
+#ifdef __SIZEOF_INT128__
+static inline wide_native_u_t wide_native(wide_t a) {
+    return (wide_native_u_t)(uint64_t)a.hi << 64 | a.lo;
+}
+static inline wide_t wide_of_native(wide_native_u_t a) {
+    return (wide_t){(int64_t)(a >> 64), (uint64_t)a};
+}
+static inline wide_t wide_add(wide_t a, wide_t b) {
+    return wide_of_native(wide_native(a) + wide_native(b));
+}
+static inline wide_t wide_sub(wide_t a, wide_t b) {
+    return wide_of_native(wide_native(a) - wide_native(b));
+}
+#else
 static inline wide_t wide_add(wide_t a, wide_t b) {
     uint64_t lo = a.lo + b.lo;
     return (wide_t){(int64_t)((uint64_t)a.hi + (uint64_t)b.hi + (lo < a.lo)), lo};
@@ -163,6 +177,7 @@ static inline wide_t wide_add(wide_t a, wide_t b) {
 static inline wide_t wide_sub(wide_t a, wide_t b) {
     return (wide_t){(int64_t)((uint64_t)a.hi - (uint64_t)b.hi - (a.lo < b.lo)), a.lo - b.lo};
 }
+#endif
 static inline wide_t wide_neg(wide_t a) {
     return wide_sub((wide_t){0, 0}, a);
 }

@@ -31,27 +31,30 @@ static bool is_inside(const page_window_t *w, const num_t h[3]) {
     return true;
 }
 
-/* One corner p of the box around middle: the sums, and the single shares of what is summed. */
-static void extent_corner(extent_t *x, const camera_t *cam, const num_t p[3], const num_t middle[3]) {
-    num_t h[3];
-    camera_project(cam, p, h);
-    for (int k = 0; k < 3; k++) {
-        int *most = k == 2 ? &x->bits_e : &x->bits_xy;
-        for (int n = 0; n < 4; n++) {
-            int b = bits_of(n < 3 ? num_mul(cam->m[k][n], num_sub(p[n], middle[n])) : h[k]);
-            if (b > *most) *most = b;
-        }
-    }
-    if (!is_inside(&cam->window, h)) x->inside = false;
+static void note_bits(int *most, num_t v) {
+    const int b = bits_of(v);
+    if (b > *most) *most = b;
 }
 
 int camera_scale(const camera_t *cam, const num_t lo[3], const num_t hi[3], line_space_t *lines) {
     extent_t x = {-NUM_EXP_LIMIT, -NUM_EXP_LIMIT, true};
-    num_t middle[3];
-    for (int k = 0; k < 3; k++) middle[k] = num_ldexp(num_add(lo[k], hi[k]), -1);
+    num_t middle[3], corner[8][3]; /* the eight corners of the box, as sums of the middle and a share for each axis */
+    for (int n = 0; n < 3; n++) middle[n] = num_ldexp(num_add(lo[n], hi[n]), -1);
+    camera_project(cam, middle, corner[0]);
+    for (int n = 0; n < 3; n++)
+        for (int k = 0; k < 3; k++) {
+            const num_t below = num_mul(cam->m[k][n], num_sub(lo[n], middle[n])),
+                        above = num_mul(cam->m[k][n], num_sub(hi[n], middle[n]));
+            note_bits(k == 2 ? &x.bits_e : &x.bits_xy, below);
+            note_bits(k == 2 ? &x.bits_e : &x.bits_xy, above);
+            for (int c = 0; c < 1 << n; c++) {
+                corner[c | 1 << n][k] = num_add(corner[c][k], above);
+                corner[c][k] = num_add(corner[c][k], below);
+            }
+        }
     for (int c = 0; c < 8; c++) {
-        const num_t p[3] = {c & 1 ? hi[0] : lo[0], c & 2 ? hi[1] : lo[1], c & 4 ? hi[2] : lo[2]};
-        extent_corner(&x, cam, p, middle);
+        for (int k = 0; k < 3; k++) note_bits(k == 2 ? &x.bits_e : &x.bits_xy, corner[c][k]);
+        x.inside = x.inside && is_inside(&cam->window, corner[c]);
     }
     /* Two spare bits: a sum of three shares, and interpolation. */
     int by_xy = H_BITS - 2 - x.bits_xy, by_e = E_BITS - x.bits_e;
