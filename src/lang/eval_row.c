@@ -226,7 +226,7 @@ bool eval_row(lang_t *l, const eval_row_t *r, int width, int n, num_t *out) {
         *top++ = (operand_t){to, 1};
         area = to + width + 1;
     }
-    if (w.failed) return false;
+    if (w.failed || top == stack) return false;
     const value_t *v = stack[0].at;
     for (int k = 0; k < n; k++, v += stack[0].step) {
         if (NUM_FAST_RARE(v->kind != VALUE_REAL || w.dead >> k & 1))

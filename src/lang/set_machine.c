@@ -130,14 +130,13 @@ static int apply(session_t *s, lexer_t *lx, machine_t *m, const option_t *o) {
 /* A board that cannot keep up makes every step, but later, and stands in the midst of a line: what it cannot keep is
  * refused. It is limited by the steps of both motors together. */
 static int check_rate(session_t *s, const machine_t *m, int32_t column) {
+    if (CONFIG_STEP_ACCEL == 0 && CONFIG_STEP_RATE == 0) return 0;
     uint32_t fine = m->steps_per_mm_q16[0] > m->steps_per_mm_q16[1] ? m->steps_per_mm_q16[0] : m->steps_per_mm_q16[1];
-#if CONFIG_STEP_ACCEL
     uint64_t um_s2 = ((uint64_t)CONFIG_STEP_ACCEL * 1000 << 16) / fine;
-    if (m->accel_um_s2 > um_s2)
+    if (CONFIG_STEP_ACCEL != 0 && m->accel_um_s2 > um_s2)
         return lang_error_set_number(&s->error, ERR_MACHINE, column,
                                      "accel too high for this board at these steps per mm; most mm/s^2",
                                      (int32_t)(um_s2 / 1000));
-#endif
     if (CONFIG_STEP_RATE == 0) return 0;
     uint32_t speed = m->draw_speed_um_s > m->travel_speed_um_s ? m->draw_speed_um_s : m->travel_speed_um_s;
     uint64_t um_s = ((uint64_t)CONFIG_STEP_RATE * 1000 << 16) / fine;
