@@ -191,6 +191,7 @@ bool eval_row(lang_t *l, const eval_row_t *r, int width, int n, num_t *out) {
     if (kept) pc += 2;
     value_t *area = l->stack + kept * (width + 1); /* of the next operand */
     operand_t stack[DEPTH], *top = stack;          /* one behind the last */
+    stack[0] = (operand_t){area, 0};               /* the result is there, whatever the analyser thinks of code */
     work_t w = {.n = n};
     for (; *pc != OP_RET && !w.failed; pc += 1 + code_operands(*pc)) {
         const uint8_t op = *pc;
@@ -226,7 +227,7 @@ bool eval_row(lang_t *l, const eval_row_t *r, int width, int n, num_t *out) {
         *top++ = (operand_t){to, 1};
         area = to + width + 1;
     }
-    if (w.failed || top == stack) return false;
+    if (w.failed) return false;
     const value_t *v = stack[0].at;
     for (int k = 0; k < n; k++, v += stack[0].step) {
         if (NUM_FAST_RARE(v->kind != VALUE_REAL || w.dead >> k & 1))

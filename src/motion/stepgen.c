@@ -1,6 +1,7 @@
 /* stepgen.c - the main loop's side: the queue, start and halt, where the machine is; see stepgen.h. */
 #include "motion/stepgen_parts.h"
 
+#define STEPGEN_ENOUGH 64                  /* pieces to begin with; fewer begin when no more are to come */
 #define SETUP_MORE (HAL_TICK_HZ / 1000000) /* DIR is written so much earlier than it has to be */
 
 stepgen_state_t stepgen;
@@ -47,6 +48,7 @@ stepgen_piece_t *stepgen_slot(void) {
 
 void stepgen_push(void) {
     __atomic_store_n(&stepgen.head, stepgen.head + 1, __ATOMIC_RELEASE);
+    if (stepgen.mask + 1 - stepgen_room() == STEPGEN_ENOUGH) stepgen_start();
 }
 
 void stepgen_start(void) {
@@ -56,7 +58,7 @@ void stepgen_start(void) {
     stepgen.running = true;
     stepgen.hold = stepgen.asked = false;
     uint32_t now = hal_now() + STEPGEN_LEAD_TICKS;
-    now += (STEPGEN_GRID_TICKS - (now - stepgen.begun)) % STEPGEN_GRID_TICKS;
+    if (stepgen.begun) now += (STEPGEN_GRID_TICKS - (now - stepgen.begun)) % STEPGEN_GRID_TICKS;
     stepgen.now = stepgen.end = stepgen.begun = now;
     stepgen.edge = now - HAL_EDGE_GAP;
     hal_timer_arm(stepgen.now);

@@ -54,7 +54,7 @@ typedef struct stepgen_piece {
 void stepgen_init(stepgen_piece_t *queue, uint32_t slots, uint32_t pulse_ticks, uint32_t setup_ticks);
 /* The slot to fill next, or NULL when the queue is full. Context: main loop. */
 stepgen_piece_t *stepgen_slot(void);
-/* Hands the filled slot to the interrupt. Context: main loop. */
+/* Hands the filled slot to the interrupt, which starts when it has a good many. Context: main loop. */
 void stepgen_push(void);
 /* Starts the interrupt if it stands still and there is something to do, unless held. Context: main loop. */
 void stepgen_start(void);
