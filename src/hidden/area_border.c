@@ -2,7 +2,7 @@
 #include "hidden/area_border.h"
 
 #include "error.h"
-#include "hidden/heap_sort.h"
+#include "num/heap_sort.h"
 #include "num/ints.h"
 
 #define CRACK 96 /* units of 2^-5 lat: what is no wider is no shadow (a hundredth of a step) */

@@ -3,7 +3,7 @@
 #include "hidden/area_wires.h"
 
 #include "error.h"
-#include "hidden/heap_sort.h"
+#include "num/heap_sort.h"
 #include "num/ints.h"
 #include "view/solid_side.h"
 

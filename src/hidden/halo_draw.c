@@ -5,7 +5,7 @@
  * nearer edge again, to end where that ends (halo_strip). */
 #include "hidden/halo_meet.h"
 
-#include "hidden/heap_sort.h"
+#include "num/heap_sort.h"
 #include "num/ints.h"
 
 #define ONE_Q30 (UINT32_C(1) << 30)

@@ -2,7 +2,7 @@
 #include "hidden/intervals.h"
 
 #include "error.h"
-#include "hidden/heap_sort.h"
+#include "num/heap_sort.h"
 #include <stdbool.h>
 
 void intervals_init(intervals_t *s, void *mem, size_t bytes) {

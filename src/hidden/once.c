@@ -2,8 +2,8 @@
 #include "hidden/once.h"
 
 #include "error.h"
-#include "hidden/heap_sort.h"
 #include "hidden/line_class.h"
+#include "num/heap_sort.h"
 #include "num/ints.h"
 
 #define SLIVER_LAT (2 * ONCE_FLAT_LAT) /* what is left over and no longer than this is no ink */

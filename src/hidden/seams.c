@@ -3,8 +3,8 @@
 #include "hidden/seams_cross.h"
 
 #include "error.h"
-#include "hidden/heap_sort.h"
 #include "hidden/triangulate.h"
+#include "num/heap_sort.h"
 #include "num/ints.h"
 #include <string.h>
 

@@ -33,6 +33,13 @@ typedef struct wide_u {
 #ifdef __SIZEOF_INT128__
 __extension__ typedef unsigned __int128 wide_native_u_t;
 __extension__ typedef __int128 wide_native_t;
+
+static inline wide_native_u_t wide_native(wide_t a) {
+    return (wide_native_u_t)(uint64_t)a.hi << 64 | a.lo;
+}
+static inline wide_t wide_of_native(wide_native_u_t a) {
+    return (wide_t){(int64_t)(a >> 64), (uint64_t)a};
+}
 #endif
 
 /* a * b of 32-bit operands. On a Cortex-M0, whose products have 32 bits, the plain expression would call a library
@@ -129,8 +136,7 @@ static inline uint64_t wide_mulhi_u64(uint64_t a, uint64_t b) {
 /* a * b, signed. */
 static inline wide_t wide_mul_s64(int64_t a, int64_t b) {
 #ifdef __SIZEOF_INT128__
-    wide_native_t p = (wide_native_t)a * b;
-    return (wide_t){(int64_t)(p >> 64), (uint64_t)p};
+    return wide_of_native((wide_native_u_t)((wide_native_t)a * b));
 #else
     wide_u_t p = wide_mul_u64((uint64_t)a, (uint64_t)b);
     /* as unsigned operands, a negative one counted 2^64 too much */
@@ -157,12 +163,6 @@ static inline wide_t wide_from_s64(int64_t a) {
 
 /* a + b, a - b, -a modulo 2^128. */
 #ifdef __SIZEOF_INT128__
-static inline wide_native_u_t wide_native(wide_t a) {
-    return (wide_native_u_t)(uint64_t)a.hi << 64 | a.lo;
-}
-static inline wide_t wide_of_native(wide_native_u_t a) {
-    return (wide_t){(int64_t)(a >> 64), (uint64_t)a};
-}
 static inline wide_t wide_add(wide_t a, wide_t b) {
     return wide_of_native(wide_native(a) + wide_native(b));
 }
@@ -209,7 +209,7 @@ static inline int wide_sign(wide_t a) {
 static inline wide_t wide_times_s32(wide_t a, int32_t b) {
 #ifdef __SIZEOF_INT128__
     wide_native_u_t p = ((wide_native_u_t)(uint64_t)a.hi << 64 | a.lo) * (wide_native_u_t)b;
-    return (wide_t){(int64_t)(p >> 64), (uint64_t)p};
+    return wide_of_native(p);
 #else
     wide_t low = wide_mul_s64((int64_t)a.lo, b);
     uint64_t high = (uint64_t)low.hi + (uint64_t)a.hi * (uint64_t)(int64_t)b;
@@ -223,7 +223,7 @@ static inline wide_t wide_times_s32(wide_t a, int32_t b) {
 static inline wide_t wide_dot3(const int64_t a[3], const int32_t b[3]) {
 #ifdef __SIZEOF_INT128__
     wide_native_t p = (wide_native_t)a[0] * b[0] + (wide_native_t)a[1] * b[1] + (wide_native_t)a[2] * b[2];
-    return (wide_t){(int64_t)(p >> 64), (uint64_t)p};
+    return wide_of_native((wide_native_u_t)p);
 #else
     return wide_add(wide_add(wide_mul_s64(a[0], b[0]), wide_mul_s64(a[1], b[1])), wide_mul_s64(a[2], b[2]));
 #endif

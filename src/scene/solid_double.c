@@ -1,7 +1,7 @@
 /* solid_double.c - faces that a mesh has twice, perhaps for both of its sides: each becomes one, since otherwise none
  * of its edges would be between two faces. Found in the memory of the edges' hash table. */
 #include "config.h"
-#include "hidden/heap_sort.h"
+#include "num/heap_sort.h"
 #include "scene/solid_build.h"
 #include <string.h>
 
