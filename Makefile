@@ -115,7 +115,7 @@ test: ## install what is missing, build and run every test; ends with `N passed,
 # IMAGES_TOO=1: the boards' images too, which need packages that the sanitizers' runs do without.
 IMAGES_TOO ?=
 test-run: host $(TESTS) $(FUZZERS) $(if $(IMAGES_TOO),$(BOARD_NEEDS))
-	$(Q)$(RUN_TESTS) $(TESTS) $(CLI_TESTS) $(if $(IMAGES_TOO),$(BOARD_TESTS)) $(GPIO_RUN) $(FUZZERS)
+	$(Q)$(RUN_TESTS) $(TESTS) $(CLI_TESTS) $(if $(IMAGES_TOO),$(BOARD_TESTS) .ci/warnings.sh) $(GPIO_RUN) $(FUZZERS)
 
 define test_folder
 .PHONY: test-$1

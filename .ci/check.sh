@@ -6,7 +6,6 @@ build=${BUILDDIR:-build}/check
 failed=0
 core=$(ls src/*.c src/*/*.c 2>/dev/null)
 sources="$core $(ls sim/*.c host/*.c hal/linux/*.c 2>/dev/null | grep -v lines_v)"
-warnings='-Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Werror'
 flags="-std=c11 -Isrc -I. -D_DEFAULT_SOURCE $(pkg-config --cflags cairo libedit)"
 
 have() {
@@ -19,17 +18,8 @@ verdict() { # status, what
 }
 
 # Warnings, by both compilers, of everything including the tests.
-for cc in gcc clang; do
-    have $cc || continue
-    status=0
-    for f in $sources tests/*/*.c; do
-        [ -e "$f" ] || continue
-        [ "$f" = tests/unit/test_uart.c ] && port=-Itests/unit/fake_port || port= # the one that reads a port
-        # shellcheck disable=SC2086
-        $cc $flags $port $warnings -O1 -fsyntax-only "$f" || status=1
-    done
-    verdict $status "$cc: no warning"
-done
+sh .ci/warnings.sh
+verdict $? "warnings"
 
 # Does src/ need anything a bare Cortex-M0 has not? Heap, stdio, and floating point would show as symbols.
 if have arm-none-eabi-gcc; then
