@@ -12,6 +12,7 @@
 #define AT_FIRST 4096
 
 static bool do_cross(const clip_seg_t *a, const clip_seg_t *b) {
+    if (poly_same(a->r, b->l)) return false; /* by far the commonest way to meet */
     int64_t p = poly_orient(a->l, a->r, b->l), q = poly_orient(a->l, a->r, b->r);
     if (p == 0 || q == 0 || (p > 0) == (q > 0)) return false;
     p = poly_orient(b->l, b->r, a->l);
@@ -29,10 +30,19 @@ poly_point_t clip_crossing(const clip_seg_t *a, const clip_seg_t *b) {
     return (poly_point_t){a->l.x + (int32_t)ints_muldiv_round(ax, num, den), (int32_t)y};
 }
 
-/* An edge that reaches as far as the one that is looked at. */
-typedef struct reach {
-    int32_t x1, y0, y1, of;
-} reach_t;
+/* Where an edge begins, and how high it lies: y1 and -y0, two numbers in one. */
+typedef struct band {
+    uint64_t height;
+    int32_t x0;
+} band_t;
+
+/* Of these numbers against those of another edge, -y0 and y1, the sum is how far either reaches above the other's lower
+ * end: if the one in the lower word is negative it does not matter that it borrows from the other. */
+#define EITHER_NEGATIVE (UINT64_C(0x8000000080000000))
+
+static uint64_t pair_of(int32_t high, int32_t low) {
+    return ((uint64_t)(uint32_t)high << 32) + (uint32_t)low;
+}
 
 /* Where an edge is to be cut: r, of edge l.x; l.y ascends along it. The sort is that of segments. */
 typedef clip_seg_t cut_t;
@@ -45,32 +55,35 @@ static void add_cut(const clip_seg_t *in, int32_t of, poly_point_t at, cut_t *cu
     cut[(*cuts)++] = (cut_t){.l = {of, steep ? (height > 0 ? at.y : -at.y) : at.x}, .r = at};
 }
 
-/* Lists the cuts of edges, most of them at the most; the list of reaching edges begins where the memory ends. */
-static int32_t find_cuts(const clip_t *c, int32_t n, cut_t *cut, int32_t most, reach_t *end, int32_t *crossings) {
+/* Lists the cuts of edges, most of them at the most. band: room for n and one more. */
+static int32_t find_cuts(const clip_t *c, int32_t n, cut_t *cut, int32_t most, band_t *band, int32_t *crossings) {
     const clip_seg_t *in = c->in;
-    int32_t cuts = 0, reaching = 0;
+    int32_t cuts = 0;
     int64_t left = AT_FIRST;
+    for (int32_t k = 0; k < n; k++) {
+        bool falls = in[k].r.y < in[k].l.y;
+        int32_t y0 = falls ? in[k].r.y : in[k].l.y, y1 = falls ? in[k].l.y : in[k].r.y;
+        band[k] = (band_t){pair_of(y1, -y0), in[k].l.x};
+    }
+    band[n].x0 = INT32_MAX;
     for (int32_t k = 0; k < n; k++) {
         const clip_seg_t *s = &in[k];
         if (poly_same(s->l, s->r)) continue;
-        bool falls = s->r.y < s->l.y;
-        const reach_t own = {s->r.x, falls ? s->r.y : s->l.y, falls ? s->l.y : s->r.y, k};
-        left += COMPARISONS - reaching;
-        if (left < 0) return 0;
-        for (int32_t j = 1; j <= reaching; j++) {
-            const reach_t *r = &end[-j];
-            if (r->x1 < s->l.x) { /* the last one takes its place */
-                end[-j--] = end[-reaching--];
-                continue;
-            }
-            if (r->y1 < own.y0 || own.y1 < r->y0 || !do_cross(&in[r->of], s)) continue;
+        const int32_t x1 = s->r.x;
+        const uint64_t own = pair_of((int32_t)(uint32_t)band[k].height, (int32_t)(uint32_t)(band[k].height >> 32));
+        const band_t *b = &band[k + 1];
+        for (; b->x0 <= x1; b++) {
+            if ((b->height + own) & EITHER_NEGATIVE) continue;
+            const int32_t j = (int32_t)(b - band);
+            if (!do_cross(s, &in[j])) continue;
             if (cuts + 2 > most) return 0;
-            poly_point_t at = clip_crossing(&in[r->of], s);
+            poly_point_t at = clip_crossing(s, &in[j]);
             ++*crossings;
-            add_cut(in, r->of, at, cut, &cuts);
             add_cut(in, k, at, cut, &cuts);
+            add_cut(in, j, at, cut, &cuts);
         }
-        end[-++reaching] = own;
+        left += COMPARISONS - (b - &band[k]);
+        if (left < 0) return 0;
     }
     return cuts;
 }
@@ -128,7 +141,7 @@ int32_t clip_cross(clip_t *c, int32_t n) {
     int32_t most = (c->in_to - n) / 8, half = (c->in_to / 2 - n) / 3;
     if (half < most) most = half;
     cut_t *cut = in + c->in_to - most;
-    int32_t crossings = 0, cuts = find_cuts(c, n, cut, most, (reach_t *)(void *)cut, &crossings);
+    int32_t crossings = 0, cuts = find_cuts(c, n, cut, most, (band_t *)(void *)part, &crossings);
     if (cuts == 0) return n;
     c->stats.crossings += crossings;
     order(in, cut, cuts, cut - cuts);

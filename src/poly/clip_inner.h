@@ -35,8 +35,8 @@ typedef struct clip_stretch {
 
 /* Which bit of a result's truth table is that of a place with these winding numbers? */
 static inline unsigned clip_bit(const clip_t *c, const int16_t w[2]) {
-    const int16_t counted = c->fill == CLIP_EVEN_ODD ? 1 : -1; /* these bits of them */
-    return (w[0] & counted ? 1 : 0) + (w[1] & counted ? 2u : 0);
+    if (c->fill == CLIP_EVEN_ODD) return (w[0] & 1u) | (w[1] & 1u) << 1;
+    return (w[0] ? 1u : 0) | (w[1] ? 2u : 0);
 }
 /* Is a place with these winding numbers in result k? */
 static inline bool clip_is_in(const clip_t *c, int k, const int16_t w[2]) {

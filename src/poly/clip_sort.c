@@ -1,11 +1,12 @@
 /* clip_sort.c - segments in the order of their left ends: byte by byte from the last one (radix), by x and where
- * that is equal by y; few by insertion.
+ * that is equal by y; few by insertion, where they are not very few after they were dealt out along x.
  */
 #include "poly/clip_inner.h"
 
 #include <string.h>
 
-#define FEW 48
+#define FEW 64
+#define VERY_FEW 20
 
 enum { BY_Y, BY_X };
 
@@ -20,6 +21,23 @@ static void insertion(clip_seg_t *s, int32_t n) {
         for (; j > 0 && poly_before(moved.l, s[j - 1].l); j--) s[j] = s[j - 1];
         s[j] = moved;
     }
+}
+
+/* Deals 2 to FEW segments out to as many columns of equal width, so that each is near its place, and copies them back.
+ * Equal ones keep their order. */
+static void deal(clip_seg_t *s, int32_t n, clip_seg_t *spare) {
+    uint32_t least = word(&s[0], BY_X), most = least;
+    for (int32_t k = 1; k < n; k++) {
+        const uint32_t x = word(&s[k], BY_X);
+        least = x < least ? x : least;
+        most = x > most ? x : most;
+    }
+    const uint32_t columns_q32 = (uint32_t)(((uint64_t)n << 32) / ((uint64_t)(most - least) + n)); /* in a unit */
+    uint8_t start[FEW + 1] = {0};
+    for (int32_t k = 0; k < n; k++) start[((uint64_t)(word(&s[k], BY_X) - least) * columns_q32 >> 32) + 1]++;
+    for (int32_t b = 1; b < n; b++) start[b] = (uint8_t)(start[b] + start[b - 1]);
+    for (int32_t k = 0; k < n; k++) spare[start[(uint64_t)(word(&s[k], BY_X) - least) * columns_q32 >> 32]++] = s[k];
+    memcpy(s, spare, (size_t)n * sizeof *s);
 }
 
 /* By one coordinate, keeping the order of equals. */
@@ -46,6 +64,7 @@ static void radix(clip_seg_t *s, int32_t n, clip_seg_t *spare, int which) {
 
 void clip_sort(clip_seg_t *s, int32_t n, clip_seg_t *spare) {
     if (n <= FEW) {
+        if (n > VERY_FEW) deal(s, n, spare);
         insertion(s, n);
         return;
     }

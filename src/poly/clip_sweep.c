@@ -70,13 +70,13 @@ static bool gather(clip_t *c, poly_point_t v) {
 }
 
 /* Two edges from one point in one direction: they become one up to the nearer end; the rest of the longer waits. */
-static void merge(clip_t *c, clip_seg_t *into, clip_seg_t *from) {
+static void merge(clip_t *c, clip_seg_t *into, const clip_seg_t *from) {
     if (!poly_same(into->r, from->r)) {
-        clip_seg_t *longer = poly_before(into->r, from->r) ? from : into, *shorter = longer == into ? from : into;
-        clip_seg_t rest = *longer;
-        rest.l = shorter->r;
+        bool further = poly_before(into->r, from->r);
+        clip_seg_t rest = further ? *from : *into;
+        rest.l = further ? into->r : from->r;
         wait_for(c, &rest);
-        longer->r = shorter->r;
+        into->r = rest.l;
     }
     into->w[0] = (int16_t)(into->w[0] + from->w[0]);
     into->w[1] = (int16_t)(into->w[1] + from->w[1]);
@@ -86,25 +86,29 @@ static void merge(clip_t *c, clip_seg_t *into, clip_seg_t *from) {
 /* Sorts the edges from edge[first] on, which start in one point, from below; merges those that coincide and drops what
  * then bounds nothing. */
 static void sort_starts(clip_t *c, int32_t first) {
-    int32_t n = first;
+    int32_t n = first + 1;
+    bool nothing = false;
     if (c->edges - first < 2) return;
-    for (int32_t k = first; k < c->edges; k++) {
-        clip_edge_t e = c->edge[k];
+    for (int32_t k = n; k < c->edges; k++) {
         int32_t j = n;
-        int64_t turn = -1;
-        for (; j > first; j--) {
-            turn = poly_orient(e.s.l, c->edge[j - 1].s.r, e.s.r);
-            if (turn >= 0) break;
+        int64_t turn = poly_orient(c->edge[k].s.l, c->edge[j - 1].s.r, c->edge[k].s.r);
+        if (turn > 0 && n == k) { /* in order as they came */
+            n++;
+            continue;
         }
+        const clip_edge_t e = c->edge[k];
+        while (turn < 0 && --j > first) turn = poly_orient(e.s.l, c->edge[j - 1].s.r, e.s.r);
         if (j > first && turn == 0) {
-            merge(c, &c->edge[j - 1].s, &e.s);
+            clip_seg_t *into = &c->edge[j - 1].s;
+            merge(c, into, &e.s);
+            nothing |= !into->w[0] && !into->w[1];
             continue;
         }
         for (int32_t i = n++; i > j; i--) c->edge[i] = c->edge[i - 1];
         c->edge[j] = e;
     }
-    c->edges = first;
-    for (int32_t k = first; k < n; k++)
+    c->edges = nothing ? first : n;
+    for (int32_t k = first; nothing && k < n; k++)
         if (c->edge[k].s.w[0] || c->edge[k].s.w[1]) c->edge[c->edges++] = c->edge[k];
 }
 
@@ -144,11 +148,16 @@ static void split(clip_t *c, int32_t j, poly_point_t p, poly_point_t v) {
     }
 }
 
-/* Looks for a crossing of the edges in places j and j + 1 of the status; v is where the sweep is. */
-static void meet(clip_t *c, int32_t j, poly_point_t v) {
-    if (j < 0 || j + 1 >= c->active || c->full) return;
+/* The same for neighbours of a sweep that has not rounded anything: both have begun and none has ended. */
+static bool do_cross_ahead(const clip_seg_t *a, const clip_seg_t *b) {
+    if (poly_same(a->r, b->r)) return false;
+    return poly_before(a->r, b->r) ? side(b, a->r) > 0 : side(a, b->r) < 0;
+}
+
+/* The edges in places j and j + 1 of the status seem to cross. */
+static void cross(clip_t *c, int32_t j, poly_point_t v) {
     const clip_seg_t *a = &c->edge[c->status[j]].s, *b = &c->edge[c->status[j + 1]].s;
-    if (!do_cross(a, b)) return;
+    if (c->full || (c->rounded && !do_cross(a, b))) return;
     poly_point_t p = clip_crossing(a, b);
     bool ahead = poly_before(v, p);
     c->rounded = true;
@@ -161,6 +170,13 @@ static void meet(clip_t *c, int32_t j, poly_point_t v) {
     c->status[j + 1] = swap;
 }
 
+/* Looks for a crossing of the edges in places j and j + 1 of the status; v is where the sweep is. */
+static inline void meet(clip_t *c, int32_t j, poly_point_t v) {
+    if (j < 0 || j + 1 >= c->active) return;
+    const clip_seg_t *a = &c->edge[c->status[j]].s, *b = &c->edge[c->status[j + 1]].s;
+    if (c->rounded || do_cross_ahead(a, b)) cross(c, j, v);
+}
+
 /* ---- the status ---- */
 
 /* Is v near an edge that has begun? */
@@ -169,7 +185,7 @@ static bool is_near(const clip_seg_t *s, poly_point_t v) {
 }
 
 static bool ends_or_holds(const clip_seg_t *s, poly_point_t v) {
-    return side(s, v) == 0 || poly_same(s->r, v);
+    return poly_same(s->r, v) || side(s, v) == 0;
 }
 
 /* The places [*from, *to) of the edges that v lies on or ends; when snapping, also those near it. */
@@ -271,7 +287,10 @@ static void pass_on(clip_t *c, int32_t from, int32_t to) {
     for (int k = 0; k < 2; k++) {
         const unsigned table = (unsigned)c->result[k], above = table >> bit_above & 1;
         if (above == (table >> bit_below & 1)) continue;
-        *(above ? &a->next[k] : &b->next[k]) = above ? to : from;
+        if (above)
+            a->next[k] = to;
+        else
+            b->next[k] = from;
     }
 }
 
@@ -279,21 +298,16 @@ static void pass_on(clip_t *c, int32_t from, int32_t to) {
  * meaning once something was rounded: then another sweep comes. */
 static void settle(clip_t *c, int32_t lo, int32_t hi, int32_t first) {
     if (c->rounded) return;
-    if (hi - lo == 1 && c->edges - first == 1) {
-        const int16_t *w = c->edge[c->status[lo]].s.w, *to = c->edge[first].s.w;
-        if (w[0] == to[0] && w[1] == to[1]) {
-            pass_on(c, c->status[lo], first);
-            return;
-        }
-    }
     count_windings(c, lo, hi, first);
     for (int k = 0; k < 2; k++)
         if (c->result[k] != CLIP_NOTHING) link(c, k, lo, hi, first);
 }
 
-/* Does one edge end here, in place lo, and another begin, and that is all? */
+/* Does one edge end here, in place lo, and another of the same borders begin, and that is all? */
 static bool goes_on(const clip_t *c, poly_point_t v, int32_t lo, int32_t hi, int32_t first) {
-    return hi - lo == 1 && c->edges - first == 1 && !c->snap && !c->full && poly_same(c->edge[c->status[lo]].s.r, v);
+    if (hi - lo != 1 || c->edges - first != 1 || c->snap || c->full) return false;
+    const clip_seg_t *from = &c->edge[c->status[lo]].s, *to = &c->edge[first].s;
+    return from->w[0] == to->w[0] && from->w[1] == to->w[1] && poly_same(from->r, v);
 }
 
 static void visit(clip_t *c, poly_point_t v) {
@@ -301,7 +315,7 @@ static void visit(clip_t *c, poly_point_t v) {
     bool rounded = gather(c, v);
     find(c, v, rounded, &lo, &hi);
     if (goes_on(c, v, lo, hi, first)) {
-        settle(c, lo, hi, first);
+        if (!c->rounded) pass_on(c, c->status[lo], first);
         c->status[lo] = first;
         meet(c, lo - 1, v);
         meet(c, lo, v);
