@@ -11,7 +11,7 @@ for board in "$@"; do
     room=$((0x${room% *} - 0x${room#* }))
     own=firmware/tools/pointers_$board.txt
     [ -e "$own" ] || own=
-    worst=$({ cat $own firmware/tools/pointers.txt; "${CROSS}objdump" -s -j .text -j .data "$elf"; "${CROSS}objdump" -d --no-show-raw-insn "$elf"; } |
+    worst=$({ cat $own firmware/tools/pointers.txt; "${CROSS}objdump" -t -s -j .text -j .data "$elf"; "${CROSS}objdump" -d --no-show-raw-insn "$elf"; } |
         awk -f firmware/tools/stack.awk)
     printf '%-10s %10d %10d %12d %12s\n' "$board" $(($1 + $2)) $(($2 + $3)) "$room" "${worst%% *}"
     [ "${worst%% *}" -le "$room" ] || echo "! $board: the stack may run over (PATHS=1 tells where)"

@@ -1,7 +1,7 @@
 # stack.awk - the deepest path through the calls of an image, read from its disassembly, so that link-time optimization and
 # compiler caches do not matter.
 #
-#     { cat pointers.txt; objdump -s -j .text -j .data IMAGE; objdump -d --no-show-raw-insn IMAGE; } | awk -f stack.awk
+#     { cat pointers.txt; objdump -t -s -j .text -j .data IMAGE; objdump -d --no-show-raw-insn IMAGE; } | awk -f stack.awk
 #
 # Prints "BYTES PATH", with * before what is called through a pointer. A frame is what a function pushes and takes from sp. A
 # call through a pointer reaches what pointers.txt says, of what has its address somewhere in the image; `F without G` says that
@@ -19,6 +19,8 @@ function registers(list,    n, part, i, sum, ends) { # of {r4, r5, lr} or {r4-r7
 /^[^ ]+ without / { out_of[++outs] = "^(" $1 ")$"; kept_out[outs] = "^(" $3 ")$"; next }
 /^[^ ]+ under / { kept_in[++ins] = "^(" $1 ")$"; in_to[ins] = "^(" $3 ")$"; next }
 /^[^ ]+ -> / { caller[++rules] = "^(" $1 ")$"; for (i = 3; i <= NF; i++) may[rules, line[$i]] = 1; next }
+# What is a function, by the table of symbols: data lies among them.
+/^[0-9a-f]+ .* F .text\t/ { f = $1; sub(/^0+/, "", f); is_function[f] = 1; f = ""; next }
 # The words of the image, as they stand in memory: an odd one may be a function's address.
 /^ [0-9a-f]+ [0-9a-f]/ && NF > 1 && !/:/ {
     for (i = 2; i <= 5 && length($i) == 8 && $i ~ /^[0-9a-f]+$/; i++)
@@ -105,7 +107,7 @@ END {
     for (g in at) {
         last = at[g]
         odd = substr(last, 1, 7) substr("1133557799bbddff", index("0123456789abcdef", substr(last, 8)), 1)
-        if (word[odd] > 0 && name[g] !~ /_isr$|^console_panic$|^start_reset$|^CSWTCH/) {
+        if (word[odd] > 0 && is_function[g] && name[g] !~ /_isr$|^console_panic$|^start_reset$|^CSWTCH/) {
             for (k = 1; k <= ranks && known[g] !~ rank[k]; k++) continue
             if (k > ranks) unknown = unknown " " known[g]
             target[g] = k

@@ -116,8 +116,10 @@ static void find_nearest(halo_ink_t *d) {
     }
 }
 
-int halo_ink_draw(const halo_source_t *source, int32_t width, bool ends, const hidden_job_t *job,
-                  hidden_stats_t *stats) {
+/* All but drawing, apart from it for the stack; *cut stays NULL where nothing is to be drawn. */
+static __attribute__((noinline)) int find_crossings(const halo_source_t *source, int32_t width, bool ends,
+                                                    const hidden_job_t *job, hidden_stats_t *stats, halo_t **cut,
+                                                    halo_ink_t **ink) {
     *stats = (hidden_stats_t){0};
     if (source->edges == 0) return 0;
     hidden_job_t rest = *job;
@@ -157,9 +159,21 @@ int halo_ink_draw(const halo_source_t *source, int32_t width, bool ends, const h
         if (stats->bytes <= rest.bytes) stats->bytes = HALO_BYTES(stats->edges, 0);
     }
     stats->bytes += HIDDEN_LENT(halo_ink_t) + HIDDEN_LENT(halo_t);
-    if (err != 0) return err;
     d->edge = -1;
-    err = halo_draw(h, width, &(halo_sink_t){d, take});
+    *cut = h;
+    *ink = d;
+    return err;
+}
+
+int halo_ink_draw(const halo_source_t *source, int32_t width, bool ends, const hidden_job_t *job,
+                  hidden_stats_t *stats) {
+    halo_sink_t sink = {NULL, take};
+    halo_t *h = NULL;
+    halo_ink_t *d = NULL;
+    int err = find_crossings(source, width, ends, job, stats, &h, &d);
+    if (err != 0 || h == NULL) return err;
+    sink.ctx = d;
+    err = halo_draw(h, width, &sink);
     tell(job, 1, 1);
     return err;
 }

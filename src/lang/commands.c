@@ -77,14 +77,31 @@ static int exit_command(session_t *s, lexer_t *lx) {
     return 0;
 }
 
-static int named_command(session_t *s, lexer_t *lx, int index) {
-    lexer_t word = *lx;
+/* Those that ask for their own word. Apart from plots, which need the stack. */
+static __attribute__((noinline)) int other_command(session_t *s, lexer_t *lx, int index) {
+    const lexer_t word = *lx;
     lexer_next(lx);
     switch (words_command_id[index]) {
 #if CONFIG_CONTROL
     case CMD_CONTROL:
         return control_command(s, lx, &word);
 #endif
+    case CMD_UNSUPPORTED:
+        return lang_error_set_name(&s->error, ERR_UNSUPPORTED, lexer_column(&word), "a command of gnuplot's only",
+                                   lexer_text(&word), word.tok.len);
+    default:
+        session_warn_once(s, s->warned_command, index, "", &word, " is ignored");
+        session_skip(lx);
+        return 0;
+    }
+}
+
+static int named_command(session_t *s, lexer_t *lx, int index) {
+    const enum command_id id = words_command_id[index];
+    if (id == CMD_CONTROL || id == CMD_UNSUPPORTED || id == CMD_IGNORED) return other_command(s, lx, index);
+    const uint32_t from = lx->tok.start;
+    lexer_next(lx);
+    switch (id) {
     case CMD_EXIT:
         return exit_command(s, lx);
     case CMD_HELP:
@@ -94,7 +111,7 @@ static int named_command(session_t *s, lexer_t *lx, int index) {
     case CMD_PAUSE:
         return pause_command(s, lx);
     case CMD_PLOT:
-        return plot_command(s, lx, PLOT_CURVES, &word);
+        return plot_command(s, lx, PLOT_CURVES, from);
     case CMD_PRINT:
         return print_command(s, lx);
     case CMD_REPLOT:
@@ -106,16 +123,9 @@ static int named_command(session_t *s, lexer_t *lx, int index) {
     case CMD_SHOW:
         return show_command(s, lx);
     case CMD_SPLOT:
-        return plot_command(s, lx, PLOT_SURFACES, &word);
-    case CMD_UNSET:
+        return plot_command(s, lx, PLOT_SURFACES, from);
+    default: /* CMD_UNSET */
         return set_unset_command(s, lx);
-    case CMD_UNSUPPORTED:
-        return lang_error_set_name(&s->error, ERR_UNSUPPORTED, lexer_column(&word), "a command of gnuplot's only",
-                                   lexer_text(&word), word.tok.len);
-    default:
-        session_warn_once(s, s->warned_command, index, "", &word, " is ignored");
-        session_skip(lx);
-        return 0;
     }
 }
 

@@ -105,31 +105,39 @@ static int start(session_t *s, int32_t kept) {
     return go_on(s);
 }
 
-int plot_command(session_t *s, lexer_t *lx, enum plot_kind kind, const lexer_t *word) {
+int plot_command(session_t *s, lexer_t *lx, enum plot_kind kind, uint32_t from) {
     s->in_last = false;
     int err = plot_parse(s, lx, kind);
     if (err) return err;
-    size_t len = lx->tok.start - word->tok.start;
-    memcpy(s->last, lexer_text(word), len);
+    size_t len = lx->tok.start - from;
+    memcpy(s->last, lx->text + from, len);
     s->last[len] = '\0';
     s->last_len = len;
     return start(s, 0);
 }
 
-/* replot [, more]: the last command again, with its inline data, and with more elements behind it. */
-int plot_replot(session_t *s, lexer_t *lx) {
+/* The last command with more elements behind it. */
+static int lengthen(session_t *s, lexer_t *lx, size_t len) {
+    lexer_t from = *lx;
+    session_skip(lx);
+    size_t more = lx->tok.start - from.tok.start;
+    if (len + 2 + more > CONFIG_LINE_MAX)
+        return lang_error_set_number(&s->error, ERR_FULL, lexer_column(&from), "the plot command is too long; most",
+                                     CONFIG_LINE_MAX);
+    memcpy(s->last + len, ", ", 2);
+    memcpy(s->last + len + 2, lexer_text(&from), more);
+    s->last[len + 2 + more] = '\0';
+    return 0;
+}
+
+/* Reads the last command. Returns how many of its sources are kept, or an error. Apart from what follows, for the
+ * stack. */
+static __attribute__((noinline)) int32_t recall_plot(session_t *s, lexer_t *lx) {
     size_t len = strlen(s->last);
     if (len == 0) return session_fail(s, lx, ERR_EMPTY, "nothing was plotted yet");
     if (!session_at_end(lx)) {
-        lexer_t from = *lx;
-        session_skip(lx);
-        size_t more = lx->tok.start - from.tok.start;
-        if (len + 2 + more > CONFIG_LINE_MAX)
-            return lang_error_set_number(&s->error, ERR_FULL, lexer_column(&from), "the plot command is too long; most",
-                                         CONFIG_LINE_MAX);
-        memcpy(s->last + len, ", ", 2);
-        memcpy(s->last + len + 2, lexer_text(&from), more);
-        s->last[len + 2 + more] = '\0';
+        int err = lengthen(s, lx, len);
+        if (err) return err;
     }
     lexer_t again;
     lexer_start(&again, s->last, strlen(s->last));
@@ -140,7 +148,13 @@ int plot_replot(session_t *s, lexer_t *lx) {
     int err = plot_parse(s, &again, kind);
     bool has_inline = false;
     for (int32_t k = 0; !err && k < before; k++) has_inline |= s->plot.source[k].kind == SOURCE_INLINE;
-    return err ? err : start(s, has_inline ? before : 0);
+    return err ? err : has_inline ? before : 0;
+}
+
+/* replot [, more]: the last command again, with its inline data, and with more elements behind it. */
+int plot_replot(session_t *s, lexer_t *lx) {
+    const int32_t kept = recall_plot(s, lx);
+    return kept < 0 ? kept : start(s, kept);
 }
 
 int plot_feed(session_t *s, const char *text, size_t n, bool *stopped) {

@@ -173,7 +173,7 @@ void plot_limits(const session_t *s, isolines_t *iso);
 int plot_items(session_t *s);
 /* plot_run.c */
 int plot_fail(session_t *s, const session_source_t *src, int code, const char *message); /* at src's column */
-int plot_command(session_t *s, lexer_t *lx, enum plot_kind kind, const lexer_t *word);
+int plot_command(session_t *s, lexer_t *lx, enum plot_kind kind, uint32_t from);         /* where its line begins */
 int plot_replot(session_t *s, lexer_t *lx);
 /* Inline data, any number of characters. *stopped: the line `e` was among them, and the plot went on or is done. */
 int plot_feed(session_t *s, const char *text, size_t n, bool *stopped);

@@ -15,10 +15,13 @@ static num_t erf_inner(num_t x) {
     return num_mul(x, FUNC_CHEBYSHEV(func_tables_erf, 2 * z - ((int64_t)1 << 62)));
 }
 
-/* erfc(x) for x >= 1; exp_x2 is exp(-x^2), by the caller: exp() magnifies the rounding of x^2, and takes stack. */
-static __attribute__((noinline)) num_t erfc_outer(num_t x, const num_t *exp_x2) {
-    if (x.e > -57) return num_from_i64(0); /* x >= 64: below 2^-5900 */
-    num_t w = num_div(num_from_i64(1), num_add(x, num_from_fixed(5, 1)));
+static __attribute__((noinline)) num_t outer_variable(num_t x) {
+    return num_div(num_from_i64(1), num_add(x, num_from_fixed(5, 1)));
+}
+
+/* erfc(x) for x >= 1; w is its outer_variable and exp_x2 exp(-x^2), by the caller: exp() magnifies the rounding of
+ * x^2, and both take stack. */
+static __attribute__((noinline)) num_t erfc_outer(num_t w, const num_t *exp_x2) {
     int64_t t = ((int64_t)1 << 62) - num_to_fixed(num_mul(w, num_from_i64(7)), 62, NULL);
     return num_mul(num_mul(*exp_x2, w), FUNC_CHEBYSHEV(func_tables_erfc, t));
 }
@@ -29,7 +32,7 @@ num_t func_erf(num_t a) {
     if (x.e < -62) return erf_inner(a);
     if (x.e < -59) { /* from 8 on it is 1 to 2^-95 */
         r = func_exp(num_neg(num_mul(x, x)));
-        r = num_sub(one, erfc_outer(x, &r));
+        r = num_sub(one, erfc_outer(outer_variable(x), &r));
     }
     return a.m < 0 ? num_neg(r) : r;
 }
@@ -42,10 +45,21 @@ static __attribute__((noinline)) num_t erfc_inner(num_t x) {
     return num_sub(num_from_i64(1), erf_inner(x));
 }
 
+num_t func_exp_half_square(num_t a, bool negative) {
+    a = num_ldexp(num_mul(a, a), -1);
+    return func_exp(negative ? num_neg(a) : a);
+}
+
+/* The integral's tail beyond a. */
+static __attribute__((noinline)) num_t tail(num_t a) {
+    const num_t exp_x2 = func_exp_half_square(a, true), x = root_of_half(a);
+    if (x.m == 0 || x.e < -62) return erfc_inner(x);
+    if (x.e > -57) return num_from_i64(0); /* x >= 64: below 2^-5900 */
+    return erfc_outer(outer_variable(x), &exp_x2);
+}
+
 num_t func_norm(num_t a) {
     if (a.undef) return a;
-    num_t r = func_exp(num_ldexp(num_neg(num_mul(a, a)), -1));
-    const num_t x = root_of_half(a);
-    r = num_ldexp(x.m == 0 || x.e < -62 ? erfc_inner(x) : erfc_outer(x, &r), -1);
+    const num_t r = num_ldexp(tail(a), -1);
     return a.m < 0 ? r : num_sub(num_from_i64(1), r);
 }

@@ -27,4 +27,7 @@ static inline uint64_t func_square(int64_t r) {
     return wide_mul_u32(h, h) + (wide_mul_u32(h, (uint32_t)u) >> 31);
 }
 
+/* exp(a^2 / 2), or exp(-a^2 / 2). */
+num_t func_exp_half_square(num_t a, bool negative);
+
 #endif

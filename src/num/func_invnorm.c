@@ -4,6 +4,7 @@
  * relative to its value in the lower tail, make them nine and then all: with e = (norm(x) - p) / norm'(x) a step is
  * x - e / (1 + x e / 2), and its error grows with the third power. */
 #include "num/func.h"
+#include "num/func_inner.h"
 
 /* x <= 0 for p <= 1/2, t = sqrt(-2 log p). */
 static __attribute__((noinline)) num_t first_guess(num_t t) {
@@ -24,10 +25,9 @@ static __attribute__((noinline)) num_t step(num_t x, num_t p, const num_t *norm,
 }
 
 /* In small functions, as they have the largest frames of all that expressions call. */
-static __attribute__((noinline)) num_t improved(num_t x, num_t p) {
-    const num_t norm = func_norm(x);
-    const num_t e2 = func_exp(num_ldexp(num_mul(x, x), -1));
-    return step(x, p, &norm, &e2);
+static __attribute__((noinline)) void improve(num_t *x, const num_t *p) {
+    const num_t norm = func_norm(*x), e2 = func_exp_half_square(*x, false);
+    *x = step(*x, *p, &norm, &e2);
 }
 
 static __attribute__((noinline)) num_t root_of_log(num_t p) {
@@ -40,7 +40,8 @@ static __attribute__((noinline)) num_t start(num_t p) {
 
 static __attribute__((noinline)) num_t lower_half(num_t p) {
     num_t x = start(p);
-    for (int i = 0; i < 2; i++) x = improved(x, p);
+    improve(&x, &p);
+    improve(&x, &p);
     return x;
 }
 

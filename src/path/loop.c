@@ -96,36 +96,47 @@ static int32_t cut_run(chain_t *c, int32_t r, int64_t t, page_point_t at) {
     return 2 * s;
 }
 
-int32_t loop_open(chain_t *c) {
+/* Opens the closed stroke through the run r, with a free end as found. Returns 1 if it stays alone. */
+static __attribute__((noinline)) int32_t open_at(chain_t *c, int32_t r, bool found, const meeting_t *m) {
     pool_t *p = c->pool;
-    int32_t alone = 0, runs = p->n;
+    const int32_t k = m->start >> 1;
+    int32_t e = 2 * k;
+    bool at_end = found && (m->t == pool_end_t(p, 2 * k) || m->t == pool_end_t(p, 2 * k + 1));
+    if (!found || (!at_end && (p->n == p->cap || p->n == c->room))) {
+        cut_at_end(c, 2 * r);
+        return 1;
+    }
+    if (at_end) {
+        e += m->t == pool_end_t(p, 2 * k + 1);
+        cut_at_end(c, e);
+    } else {
+        e = cut_run(c, k, m->t, m->at);
+    }
+    int32_t far_of_loop = ~p->mate[e], far_of_other = ~p->mate[m->free_end];
+    /* ... other -> free_end, then once round from far_of_loop's side to e: e stays free for the next loop */
+    p->mate[far_of_loop] = m->free_end;
+    p->mate[m->free_end] = far_of_loop;
+    set_far_ends(p, e, far_of_other);
+    return 0;
+}
+
+bool loop_find(chain_t *c) {
     page_point_t lo, hi;
-    if (!find_box(c, &lo, &hi)) return 0;
+    if (!find_box(c, &lo, &hi)) return false;
     chain_enter_free(c, lo, hi);
+    return true;
+}
+
+int32_t loop_open(chain_t *c) {
+    const pool_t *p = c->pool;
+    int32_t alone = 0;
+    const int32_t runs = p->n;
     for (int32_t r = 0; r < runs; r++) {
-        meeting_t m;
-        int32_t e;
+        meeting_t m = {0};
         if (p->run[r].to_hi & RUN_SEEN) continue;
         pool_tick(p);
-        bool found = walk(c, 2 * r, &m);
-        int32_t k = m.start >> 1;
-        bool at_end = found && (m.t == pool_end_t(p, 2 * k) || m.t == pool_end_t(p, 2 * k + 1));
-        if (!found || (!at_end && (p->n == p->cap || p->n == c->room))) {
-            cut_at_end(c, 2 * r);
-            alone++;
-            continue;
-        }
-        if (at_end) {
-            e = 2 * k + (m.t == pool_end_t(p, 2 * k + 1));
-            cut_at_end(c, e);
-        } else {
-            e = cut_run(c, k, m.t, m.at);
-        }
-        int32_t far_of_loop = ~p->mate[e], far_of_other = ~p->mate[m.free_end];
-        /* ... other -> free_end, then once round from far_of_loop's side to e: e stays free for the next loop */
-        p->mate[far_of_loop] = m.free_end;
-        p->mate[m.free_end] = far_of_loop;
-        set_far_ends(p, e, far_of_other);
+        const bool found = walk(c, 2 * r, &m);
+        alone += open_at(c, r, found, &m);
     }
     return alone;
 }

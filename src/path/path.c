@@ -157,7 +157,7 @@ static void order(path_t *p, tour_t *tour, bool all, bool improve) {
     chain_pair(&chain);
     tell(p, all, TOLD_PAIRED);
     chain_close(&chain);
-    loop_open(&chain);
+    if (loop_find(&chain)) loop_open(&chain);
     if (all) drop_dots(p, &chain);
     tour_collect(tour, &chain, p->leaves, p->config.home);
     pump(p);

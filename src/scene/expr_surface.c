@@ -60,53 +60,59 @@ static size_t lend_anywhere(void *ctx, void *mem, size_t bytes) {
     return used;
 }
 
-static __attribute__((noinline)) num_t z_anywhere(const expr_grid_t *g, num_t x, num_t y) {
+/* Each way to a height is a function of its own, and what is done before it another: little may be on the stack where
+ * expressions are evaluated. */
+static __attribute__((noinline)) num_t z_anywhere(const expr_grid_t *g, const num_t at[2]) {
     value_t v;
-    if (!hoist_has_column(g->hoist, 0, x)) note_error(g->source, hoist_column(g->hoist, 0, x));
-    if (!hoist_has_row(g->hoist, y)) note_error(g->source, hoist_row(g->hoist, y));
+    if (!hoist_has_column(g->hoist, 0, at[0])) note_error(g->source, hoist_column(g->hoist, 0, at[0]));
+    if (!hoist_has_row(g->hoist, at[1])) note_error(g->source, hoist_row(g->hoist, at[1]));
     note_error(g->source, hoist_point(g->hoist, 0, &v));
     return value_num(v);
 }
 
-/* Inline, for the stack. */
-static inline __attribute__((always_inline)) num_t z_there(const expr_grid_t *g, num_t x, num_t y) {
-    if (g->hoist && g->hoist->anywhere) return z_anywhere(g, x, y);
-    num_t at[2] = {x, y};
-    return evaluate(g->source, at, 2);
+static inline num_t z_there(const expr_grid_t *g, const num_t at[2]) {
+    return g->hoist && g->hoist->anywhere ? z_anywhere(g, at) : evaluate(g->source, at, 2);
 }
 
 static num_t z_at(void *ctx, num_t x, num_t y) {
-    return z_there(ctx, x, y);
+    const num_t at[2] = {x, y};
+    return z_there(ctx, at);
+}
+
+static __attribute__((noinline)) void seed_hoisted(const expr_grid_t *g, int32_t i) {
+    seed_for(g->source, (num_t[]){hoist_x(g->hoist, i), g->row_y}, 2);
 }
 
 static __attribute__((noinline)) num_t z_hoisted(const expr_grid_t *g, int32_t i) {
-    expr_source_t *s = g->source;
     value_t v;
-    if (s->random) seed_for(s, (num_t[]){hoist_x(g->hoist, i), g->row_y}, 2);
-    note_error(s, hoist_point(g->hoist, i, &v));
+    if (g->source->random) seed_hoisted(g, i);
+    note_error(g->source, hoist_point(g->hoist, i, &v));
     return value_num(v);
 }
 
 /* Rows are mostly asked for as a whole. */
-static void enter_row(expr_grid_t *g, int32_t j) {
-    if (j == g->row) return;
+static __attribute__((noinline)) void enter_row(expr_grid_t *g, int32_t j) {
     g->row = j;
     g->row_y = place(g, 1, j);
     if (g->hoist && !g->hoist->anywhere) note_error(g->source, hoist_row(g->hoist, g->row_y));
 }
 
+static __attribute__((noinline)) num_t z_not_hoisted(const expr_grid_t *g, int32_t i) {
+    const num_t at[2] = {place(g, 0, i), g->row_y};
+    return z_there(g, at);
+}
+
 static num_t z_of(void *ctx, int32_t i, int32_t j) {
     expr_grid_t *g = ctx;
-    enter_row(g, j);
-    if (!g->hoist || g->hoist->anywhere) return z_there(g, place(g, 0, i), g->row_y);
-    return z_hoisted(g, i);
+    if (j != g->row) enter_row(g, j);
+    return !g->hoist || g->hoist->anywhere ? z_not_hoisted(g, i) : z_hoisted(g, i);
 }
 
 #if CONFIG_ROW_POINTS > 1
 static void z_row(void *ctx, int32_t i, int32_t j, int32_t n, num_t *z) {
     expr_grid_t *g = ctx;
     if (g->hoist && g->hoist->width && !g->hoist->anywhere) {
-        enter_row(g, j);
+        if (j != g->row) enter_row(g, j);
         note_error(g->source, hoist_points(g->hoist, i, n, z));
     } else {
         for (int32_t k = 0; k < n; k++) z[k] = z_of(g, i + k, j);

@@ -51,17 +51,21 @@ static inline __attribute__((always_inline)) num_t raw(grid_t *g, int32_t i, int
     return g->src->z_of(g->src->ctx, i, j);
 }
 
-/* What lies beyond the limits is a hole. */
-static num_t limited(grid_t *g, num_t z) {
-    if (z.undef) return z;
+static __attribute__((noinline)) bool is_beyond(grid_t *g, num_t z) {
     bool below = g->has_lo && num_cmp(z, g->z_lo) < 0, above = g->has_hi && num_cmp(z, g->z_hi) > 0;
     g->below |= below;
     g->above |= above;
-    return below || above ? num_undef() : z;
+    return below || above;
 }
 
-static num_t evaluate(grid_t *g, int32_t i, int32_t j) {
-    return limited(g, raw(g, i, j));
+/* What lies beyond the limits is a hole. */
+static inline void limit(grid_t *g, num_t *z) {
+    if ((g->has_lo || g->has_hi) && !z->undef && is_beyond(g, *z)) *z = num_undef();
+}
+
+static inline void evaluate(grid_t *g, int32_t i, int32_t j, num_t *z) {
+    *z = raw(g, i, j);
+    limit(g, z);
 }
 
 /* Columns i to i + n - 1 of row j, n <= CONFIG_ROW_POINTS. */
@@ -70,11 +74,11 @@ static inline void evaluate_row(grid_t *g, int32_t i, int32_t j, int32_t n, num_
     if (g->src->z_row) {
         g->evaluated += n;
         g->src->z_row(g->src->ctx, i, j, n, z);
-        for (int32_t k = 0; k < n && (g->has_lo || g->has_hi); k++) z[k] = limited(g, z[k]);
+        for (int32_t k = 0; k < n; k++) limit(g, &z[k]);
         return;
     }
 #endif
-    for (int32_t k = 0; k < (CONFIG_ROW_POINTS > 1 ? n : 1); k++) z[k] = evaluate(g, i + k, j);
+    for (int32_t k = 0; k < (CONFIG_ROW_POINTS > 1 ? n : 1); k++) evaluate(g, i + k, j, &z[k]);
 }
 
 static inline int32_t at_once(const grid_t *g, int32_t i) {
@@ -159,8 +163,14 @@ static inline bool scaled(const grid_t *g, num_t z, int32_t *zi) {
     return true;
 }
 
+static bool evaluated(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
+    num_t z;
+    evaluate(g, i, j, &z);
+    return scaled(g, z, zi);
+}
+
 static bool height(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
-    if (g->cache == NULL) return scaled(g, evaluate(g, i, j), zi);
+    if (g->cache == NULL) return evaluated(g, i, j, zi);
     *zi = g->cache[(int64_t)j * g->nx + i];
     return *zi != GRID_HOLE;
 }
@@ -204,16 +214,22 @@ bool grid_is_tall(const grid_t *g) {
 }
 
 bool grid_value(grid_t *g, int32_t i, int32_t j, num_t *z) {
-    *z = evaluate(g, i, j);
+    evaluate(g, i, j, z);
     return !z->undef;
 }
 
+/* Where an edge from the height z to *far meets the limit that *far is beyond, which takes its place. */
+static __attribute__((noinline)) int64_t meets_limit_q46(const grid_t *g, num_t z, num_t *far) {
+    const num_t limit = g->has_lo && num_cmp(*far, g->z_lo) < 0 ? g->z_lo : g->z_hi;
+    const int64_t s = num_to_fixed(num_div(num_sub(limit, z), num_sub(*far, z)), 46, NULL);
+    *far = limit;
+    return s < 0 ? 0 : s > (int64_t)1 << 46 ? (int64_t)1 << 46 : s;
+}
+
 bool grid_edge_limit(grid_t *g, const int32_t inside[2], const int32_t outside[2], num_t *limit, int64_t *s_q46) {
-    num_t z = raw(g, inside[0], inside[1]), far = raw(g, outside[0], outside[1]);
-    if (z.undef || far.undef) return false;
-    bool low = g->has_lo && num_cmp(far, g->z_lo) < 0;
-    *limit = low ? g->z_lo : g->z_hi;
-    int64_t s = num_to_fixed(num_div(num_sub(*limit, z), num_sub(far, z)), 46, NULL);
-    *s_q46 = s < 0 ? 0 : s > (int64_t)1 << 46 ? (int64_t)1 << 46 : s;
+    const num_t z = raw(g, inside[0], inside[1]);
+    *limit = raw(g, outside[0], outside[1]);
+    if (z.undef || limit->undef) return false;
+    *s_q46 = meets_limit_q46(g, z, limit);
     return true;
 }

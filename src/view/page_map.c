@@ -92,35 +92,38 @@ static inline bool vertex_h(page_map_t *m, int32_t i, int32_t j, page_h_t *h) {
     return true;
 }
 
-/* A line ends where it meets a limit of heights: the limit itself is the height there. a_in: the first point of the
- * edge is within the limits. */
-static __attribute__((noinline)) bool limit_h(page_map_t *m, const int32_t a[2], const int32_t b[2], bool a_in,
-                                              int64_t s_q46, page_h_t *h) {
-    num_t z;
-    int64_t at_q46;
-    if (!m->grid->to_limits || !grid_edge_limit(m->grid, a_in ? a : b, a_in ? b : a, &z, &at_q46)) return false;
+static __attribute__((noinline)) void limit_at(const page_map_t *m, const int32_t a[2], const int32_t b[2],
+                                               int64_t s_q46, num_t z, page_h_t *h) {
     page_h_t from = base_h(m, a[0], a[1]), to = base_h(m, b[0], b[1]), share = value_share(m, z);
     page_h_t base = line_space_mix_fine(&from, &to, s_q46);
     *h = (page_h_t){base.x + share.x, base.y + share.y, base.e + share.e};
+}
+
+/* A line ends where it meets a limit of heights: the limit itself is the height there. a_in: the point at t is within
+ * the limits and the next is not; otherwise it is the other way round. */
+static __attribute__((noinline)) bool limit_h(page_map_t *m, bool row, int32_t line, int64_t t, bool a_in,
+                                              page_h_t *h) {
+    const int32_t at = (int32_t)(t >> INK_GRID_BITS);
+    const int32_t a[2] = {row ? at : line, row ? line : at}, b[2] = {a[0] + row, a[1] + !row};
+    num_t z;
+    int64_t at_q46;
+    if (!m->grid->to_limits || !grid_edge_limit(m->grid, a_in ? a : b, a_in ? b : a, &z, &at_q46)) return false;
+    limit_at(m, a, b, t & (INK_GRID_ONE - 1), z, h);
     return true;
 }
 
 static bool lines_at(void *ctx, uint8_t family, int32_t line, int64_t t, page_h_t *h) {
     page_map_t *m = ctx;
     const int32_t at = (int32_t)(t >> INK_GRID_BITS);
-    const int64_t s = t & (INK_GRID_ONE - 1);
-    bool row = family == INK_ROW;
-    int32_t i = row ? at : line, j = row ? line : at;
-    bool a_in = vertex_h(m, i, j, h);
-    if (s == 0) return a_in;
+    const int row = family == INK_ROW;
+    const int32_t i = row ? at : line, j = row ? line : at;
     page_h_t next;
-    bool b_in = vertex_h(m, i + row, j + !row, &next);
-    if (!a_in || !b_in) {
-        const int32_t a[2] = {i, j}, b[2] = {i + row, j + !row};
-        return a_in != b_in && limit_h(m, a, b, a_in, s, h);
-    }
-    *h = line_space_mix_fine(h, &next, s);
-    return true;
+    const bool a_in = vertex_h(m, i, j, h);
+    if ((t & (INK_GRID_ONE - 1)) == 0) return a_in;
+    const bool b_in = vertex_h(m, i + row, j + 1 - row, &next);
+    if (a_in != b_in) return limit_h(m, row, line, t, a_in, h);
+    if (a_in) *h = line_space_mix_fine(h, &next, t & (INK_GRID_ONE - 1));
+    return a_in;
 }
 
 /* The point at `part` of an edge from (i, j) whose ends have heights z. Interpolated in the world, before it is

@@ -33,7 +33,7 @@ static void add(uint8_t family, int32_t line, double from, double to) {
 static int32_t strokes(void) {
     assert_int_equal(chain_place(&chain, &pool, &map, NEAR), 0);
     chain_pair(&chain);
-    int32_t open = chain_close(&chain), alone = loop_open(&chain), free_ends = 0;
+    int32_t open = chain_close(&chain), alone = loop_find(&chain) ? loop_open(&chain) : 0, free_ends = 0;
     for (int32_t e = 0; e < 2 * pool.n; e++) {
         int32_t m = pool.mate[e];
         assert_int_equal(m >= 0 ? pool.mate[m] : ~pool.mate[~m], e);
