@@ -84,8 +84,8 @@ costs() {
     echo "gnuplot's hidden3d 23,900 / 40,700."
 }
 
-{ section hard && section hard_solids; } >"$tmp/hard" &
-hard=$!
+{ section hard && section hard_solids; } >"$tmp/hard" && sh tests/report/boards.sh "$1" "$out" >"$tmp/boards" &
+beside=$!
 {
     echo '# The numbers report'
     echo
@@ -101,11 +101,13 @@ hard=$!
     "$bin/report_error" "$out"
     "$bin/report_simplify" "$out"
     costs
-    sh tests/report/boards.sh "$1" "$out"
+    wait $beside # begun above, beside the others: they have no times
+    cat "$tmp/boards"
     section formats
-    wait $hard # begun below, beside the others: it has no times
     cat "$tmp/hard"
-    for s in needs papers solids growth bits pareto; do section $s; done
+    for s in needs papers solids growth bits; do section $s; done
+    sh tests/report/boards.sh --errors "$out"
+    section pareto
     echo
     echo '![error over bits and families](landscape.svg)'
     echo

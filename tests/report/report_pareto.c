@@ -1,8 +1,9 @@
 /* report_pareto - for every kernel error against time as its bits are varied, a front for each family of scenes, and
  * what of it is shipped and why.
  *
- *     report_pareto DIR      reads the rows that report_error and solid_bits left in DIR (lattice.tsv,
- * lattice-times.tsv, solids-bits.tsv, solids-bits-times.tsv), writes DIR/pareto.svg and the section on stdout */
+ *     report_pareto DIR      reads the rows that report_error, solid_bits and boards.sh left in DIR (lattice.tsv,
+ * lattice-times.tsv, solids-bits.tsv, solids-bits-times.tsv, boards.tsv), writes DIR/pareto.svg, DIR/pareto-boards.svg
+ * and the section on stdout */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,6 +18,7 @@
 typedef struct point {
     char kernel[24], family[24], label[12];
     double bits, error, ns, bytes;
+    double cycles; /* of an RP2040; 0: not counted */
 } point_t;
 
 static point_t point[POINTS];
@@ -110,6 +112,21 @@ static void load(const char *dir, const char *errors, const char *times) {
     fclose(f[1]);
 }
 
+/* The boards' rows have the same families, in scenes that they have room for. */
+static void load_boards(const char *dir) {
+    char head[512], line[512], kernel[24], family[24];
+    FILE *f = open_table(dir, "boards.tsv", head);
+    while (fgets(line, sizeof line, f)) {
+        field(head, line, "what", kernel);
+        field(head, line, "of", family);
+        const double bits = field(head, line, "bits", NULL), elements = field(head, line, "elements", NULL);
+        for (point_t *p = point; p < point + points && elements > 0; p++)
+            if (!strcmp(p->kernel, kernel) && !strcmp(p->family, family) && fabs(p->bits - bits) < .01)
+                p->cycles = field(head, line, "rp2040_cycles", NULL) / elements;
+    }
+    fclose(f);
+}
+
 static bool is_of(const point_t *p, int k, double bits) {
     return !strcmp(p->kernel, kernels[k].name) && fabs(p->bits - bits) < .01;
 }
@@ -133,26 +150,28 @@ static summary_t sum(int k, double bits) {
     return s;
 }
 
-static void draw(figure_t *f, int k) {
-    static char title[KERNELS][64], x_title[KERNELS][48];
+static void draw(figure_t *f, int k, bool board) {
+    static char title[2][KERNELS][72], x_title[2][KERNELS][48];
     const char *family = "";
     int series = 0;
-    snprintf(title[k], sizeof title[k], "%s: error against time (bits below a step; ring: shipped)", kernels[k].name);
-    snprintf(x_title[k], sizeof x_title[k], "CPU time per %s (ns)", kernels[k].element);
-    figure_init(f, title[k], x_title[k], "worst error (steps)");
+    snprintf(title[board][k], sizeof title[board][k], "%s: error against %s (bits below a step; ring: shipped)",
+             kernels[k].name, board ? "cycles" : "time");
+    snprintf(x_title[board][k], sizeof x_title[board][k], board ? "RP2040 cycles per %s" : "CPU time per %s (ns)",
+             kernels[k].element);
+    figure_init(f, title[board][k], x_title[board][k], "worst error (steps)");
     f->y_log = f->front = true;
     f->y_line = 1;
     f->y_floor = FLOOR;
     for (int at = 0; at < points; at++) {
         point_t *p = &point[at];
-        if (strcmp(p->kernel, kernels[k].name)) continue;
+        if (strcmp(p->kernel, kernels[k].name) || (board && p->cycles <= 0)) continue;
         /* The rows of a family need not follow one another. */
         if (strcmp(family, p->family)) {
             for (series = 0; series < f->series && strcmp(f->name[series], p->family);) series++;
             if (series == f->series) figure_series(f, p->family);
             family = p->family;
         }
-        figure_add(f, series, p->ns, p->error, p->label);
+        figure_add(f, series, board ? p->cycles : p->ns, p->error, p->label);
         if (is_of(p, k, kernels[k].shipped)) figure_mark(f);
     }
 }
@@ -214,30 +233,50 @@ static void tell(int k) {
         kernels[k].name, kernels[k].shipped, ours.error, ours.families, ours.bytes, none.error < 10 ? 2 : 0, none.error,
         least);
     printf("%s\n", kernels[k].why);
+    double from = INFINITY, to = 0;
+    for (const point_t *p = point; p < point + points; p++) {
+        if (!is_of(p, k, kernels[k].shipped) || p->cycles <= 0) continue;
+        for (const point_t *q = point; q < point + points; q++) {
+            if (q == p || q->cycles <= 0 || strcmp(q->kernel, p->kernel) || strcmp(q->family, p->family)) continue;
+            from = fmin(from, 100 * q->cycles / p->cycles);
+            to = fmax(to, 100 * q->cycles / p->cycles);
+        }
+    }
+    if (to > 0)
+        printf("  With 0 to 8 bits a Pico would need %.0f to %.0f %% of the cycles per %s that it needs as shipped.\n",
+               from, to, kernels[k].element);
     printf("  (Times: %.0f ns per %s as shipped; the fastest that is right takes %.0f, with %.3g.)\n", ours.ns,
            kernels[k].element, ns, fastest);
 }
 
 int main(int argc, char **argv) {
-    static figure_t f[KERNELS + 1];
+    static figure_t f[KERNELS + 1], on_board[KERNELS];
     char path[512];
     if (argc < 2) return 2;
     load(argv[1], "lattice.tsv", "lattice-times.tsv");
     load(argv[1], "solids-bits.tsv", "solids-bits-times.tsv");
+    load_boards(argv[1]);
     printf(
         "\n## What is shipped, and why\n\nError against time as the bits below a step are varied, for each kernel and "
         "family of scenes. A line goes through what nothing of the same family beats in both; what has no error is at "
         "the bottom. Tolerances of horizons: above, under simpler horizons; formats of expressions and sizes of "
-        "grids: in their sections.\n\n![error against time](pareto.svg)\n\n");
+        "grids: in their sections.\n\n![error against time](pareto.svg)\n\nThe same "
+        "against the cycles of an RP2040; all rows, with the Cortex-M0 and M3, are in [boards.md](boards.md).\n\n"
+        "![error against cycles](pareto-boards.svg)\n\n");
     for (int k = 0; k < KERNELS; k++) {
-        draw(&f[k], k);
+        draw(&f[k], k, false);
+        draw(&on_board[k], k, true);
         tell(k);
     }
     printf(
         "\nTimes of a kernel differ between numbers of bits only by what else is then drawn, and by the noise of the "
-        "machine: nothing is bought with bits that are left out.\n");
+        "machine: nothing is bought with bits that are left out. A Cortex-M0 has no divider and multiplies 32 bits in "
+        "software where they become 64: shorter numbers help it a little where windows are cut, which is no reason "
+        "for a lattice of their own, since they share their horizons.\n");
     draw_formats(argv[1], &f[KERNELS]);
     snprintf(path, sizeof path, "%s/pareto.svg", argv[1]);
     figure_write_panels(f, KERNELS + 1, 2, path);
+    snprintf(path, sizeof path, "%s/pareto-boards.svg", argv[1]);
+    figure_write_panels(on_board, KERNELS, 2, path);
     return 0;
 }

@@ -54,10 +54,27 @@ BOARD_NEEDS += $(BARE_SAME)
 BARE_SRC_count  := tests/emu/bare/formats.c tests/report/lattice.c
 BARE_LDS_count  := $(addprefix -Wl$(comma)--wrap=,chart_row horizons_clip windows_insert)
 BARE_LIBS_count := -lm
-# Solids apart: a Pico's RAM does not take the code of both.
-BARE_rp2040_count_solids := -mcpu=cortex-m0plus 0x20000000 0x20024000 0x20042000
-BARE_DEFS_count_solids := -DCOUNT_BYTES=98304
-BARE_SRC_count_solids  := src/lang/settings.c src/motion/machine.c
+# Solids apart: a Pico's RAM does not take the code of both. Once for each number of bits of their lattice, which two
+# sources know (scene/solid.h); all others are those of the program that is shipped.
+BARE_rp2040_count_solids := -mcpu=cortex-m0plus 0x20000000 0x20023000 0x20042000
+BARE_DEFS_count_solids := -DCOUNT_BYTES=98304 -D_DEFAULT_SOURCE
+BARE_SRC_count_solids  := tests/emu/bare/count_bodies.c tests/oracle/halo_scenes.c src/lang/settings.c src/motion/machine.c
 BARE_LIBS_count_solids := -lm
-$(foreach c,m0an m3 rp2040,$(eval $(call bare_core,$c,count)) $(eval $(call bare_core,$c,count_solids)))
-BARE_COUNTS := $(foreach c,m0an m3 rp2040,$(BARE)/count-$c.elf $(BARE)/count_solids-$c.elf) $(BARE)/counter.so $(EMUDIR)/node_modules/.ready
+COUNT_CORES := m0an m3 rp2040
+$(foreach c,$(COUNT_CORES),$(eval $(call bare_core,$c,count)) $(eval $(call bare_core,$c,count_solids)))
+COUNT_BITS := 14 16 18 22
+BARE_OWN   := tests/emu/bare/count_solids.o src/scene/solid.o src/view/solid_map.o
+define bare_bits
+$(BARE)/$1-count_solids_$2/%.o: %.c
+	@mkdir -p $$(@D)
+	$$(call say,CC,$1 $$<)
+	$$(Q)$(CROSS)gcc $(word 1,$(BARE_$1)) -mthumb $(BARE_CFLAGS) $(BARE_DEFS_count_solids) -DSOLID_BITS=$2 -c $$< -o $$@
+$(BARE)/count_solids_$2-$1.elf: $(BARE)/count_solids-$1.elf $(BARE_OWN:%=$(BARE)/$1-count_solids_$2/%)
+	$$(call say,LD,$$@)
+	$$(Q)$(CROSS)gcc $(word 1,$(BARE_$1)) $(call bare_lds,$1,count_solids) $$(filter %.o,$$^) \
+	    $(filter-out $(BARE_OWN:%=$(BARE)/$1-count_solids/%),$(patsubst %.c,$(BARE)/$1-count_solids/%.o,tests/emu/bare/bare_arm.c $(BARE_COMMON) $(BARE_SRC_count_solids) $(BARE_CORE))) -lm -o $$@
+	$$(Q)$(CROSS)objcopy -O binary $$@ $$(@:.elf=.bin)
+endef
+$(foreach c,$(COUNT_CORES),$(foreach b,$(COUNT_BITS),$(eval $(call bare_bits,$c,$b))))
+COUNT_PROGRAMS := count count_solids $(COUNT_BITS:%=count_solids_%)
+BARE_COUNTS := $(foreach c,$(COUNT_CORES),$(COUNT_PROGRAMS:%=$(BARE)/%-$c.elf)) $(BARE)/counter.so $(EMUDIR)/node_modules/.ready
