@@ -41,6 +41,7 @@ typedef struct area_stats {
     int32_t windows;       /* of the screen subdivision */
     int32_t boxes;         /* of the Z subdivision */
     int32_t depth;         /* of the stack, at most */
+    int32_t pieces;        /* polygons there were at once, at most */
     size_t bytes;          /* of the memory that were in use, at most: with less, windows are halved */
 } area_stats_t;
 

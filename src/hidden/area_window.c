@@ -94,6 +94,7 @@ static void note_bytes(const area_t *a) {
     const size_t bytes = a->fixed + (size_t)p->pieces * sizeof(area_piece_t) + CLIP_BYTES((size_t)p->edges_most) / 2 +
                          (size_t)p->words_most * sizeof(int32_t);
     if (bytes > a->stats->bytes) a->stats->bytes = bytes;
+    if (p->pieces > a->stats->pieces) a->stats->pieces = p->pieces;
 }
 
 static int sort_window(area_t *a, const area_box_t *box) {

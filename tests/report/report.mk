@@ -1,6 +1,7 @@
 # `make report`: the numbers report, docs/report. Each program writes data and figures, and its section of the README.
 REPORT_DIR ?= docs/report
-REPORT_LIB := $(patsubst %.c,$(BUILDDIR)/obj/%.o,$(filter-out tests/report/report_%.c,$(wildcard tests/report/*.c)))
+REPORT_LIB := $(patsubst %.c,$(BUILDDIR)/obj/%.o,$(filter-out tests/report/report_%.c,$(wildcard tests/report/*.c)) \
+    tests/emu/bare/formats.c)
 REPORTS := $(patsubst tests/report/%.c,$(BUILDDIR)/report/%,$(wildcard tests/report/report_*.c))
 # lattice.c stands before these functions of src/.
 REPORT_WRAP := $(addprefix -Wl$(comma)--wrap=,chart_row horizons_clip windows_insert)
