@@ -2,6 +2,7 @@
 #include "hidden/area_sort.h"
 #include "hidden/area_weld.h"
 
+#include "error.h"
 #include "num/ints.h"
 
 /* ---- which of two is in front ---- */
@@ -74,6 +75,20 @@ static int cut_through(area_t *a, int32_t piece, int32_t by, area_list_t *in) {
     return err;
 }
 
+/* A piece no wider than a weld, beside a border of the clip polygon, may count as outside of it; if it is in front it
+ * may be all there is of a face whose border hides what is drawn there. Then it is on both lists: its face clips the
+ * inside one, and what is behind that is hidden rightly whatever made it a clip polygon. */
+static int keep_front(area_t *a, int32_t piece, int32_t by, area_list_t *in) {
+    const poly_t p = area_pool_poly(&a->pool, piece);
+    const int32_t face = a->pool.piece[piece].face;
+    if (a->faces.face[face].on_stack || !area_is_thin(&p, &a->pool.piece[piece].box)) return 0;
+    if (compare(a, &p, face, by) != IN_FRONT) return 0;
+    const int32_t copy = area_pool_copy(&a->pool, piece);
+    if (copy == AREA_NONE) return ERR_FULL;
+    area_list_add(&a->pool, in, copy);
+    return 0;
+}
+
 /* Clips a piece by face `by`: what is inside and not behind goes to *in, what is outside to *out. */
 static int clip_piece(area_t *a, int32_t piece, int32_t by, area_list_t *in, area_list_t *out) {
     area_pool_t *pool = &a->pool;
@@ -87,6 +102,8 @@ static int clip_piece(area_t *a, int32_t piece, int32_t by, area_list_t *in, are
         return 0;
     }
     int err = area_weld(&w, &subject, &pool->piece[piece].box, &whole, &f->box, a->clip_mem, a->clip_bytes, &used);
+    if (err) return err;
+    if (w.changed) err = keep_front(a, piece, by, in);
     if (err) return err;
     const clip_job_t job = {w.subject, w.clip, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_OUTSIDE}};
     err = clip_run(&a->clip, &job, (uint8_t *)a->clip_mem + used, a->clip_bytes - used);

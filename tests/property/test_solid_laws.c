@@ -231,6 +231,8 @@ static void test_found(void **state) {
         {SOLID_LAW_REFINE, false, 16000183015},
         /* an eye in the plane of a face that it is next to: on the page that was a needle, which hid nothing */
         {SOLID_LAW_MIRROR, true, 15300259818},
+        /* a needle's tip behind a plate, no wider than a weld, which put it beside the wall that it hides */
+        {SOLID_LAW_REFINE, true, 16100182369},
     };
     (void)state;
     for (size_t k = 0; k < sizeof found / sizeof *found; k++) {

@@ -205,11 +205,8 @@ static void needles(const char *dir) {
     FILE *out = report_create(dir, "needles.tsv");
     fputs("width_steps\tconvex_wrong_steps\tarea_wrong_steps\n", out);
     puts("\nWhere the area sort ends: a needle that shares an edge with a wall and comes out through a plate, thinner "
-         "and "
-         "thinner. Width on the page where it is widest; the longest wrong run. What overlaps by less than its welds "
-         "(a few "
-         "units of 1/12,800 of a step) may count as beside each other, and then what it hides of an edge is not "
-         "hidden.\n\n"
+         "and thinner. Width on the page where it is widest; the longest wrong run. A unit of its lattice is 1/12,800 "
+         "of a step: where what overlaps is narrower than one, nothing of it is left to hide an edge.\n\n"
          "| width (steps) | convex: wrong | area: wrong |\n|--:|--:|--:|");
     for (double k = 300; k > .02; k /= sqrt(10)) {
         solid_scene_t s;
