@@ -1,11 +1,8 @@
-/* builtins.c - the table of functions, and those that care for the kind of their arguments.
- *
- * rand is the generator of gnuplot's specfun.c with the same seeds (P. L'Ecuyer, "Efficient and portable
- * combined random number generators", CACM 31, 1988, fig. 3), so that a script draws the same picture here and
- * there, and on every target. */
+/* builtins.c - the table of functions, and those that care for the kind of their arguments. */
 #include "lang/builtins.h"
 #include "lang/arith.h"
 #include "num/func.h"
+#include "num/noise.h"
 #include "num/num_double.h"
 
 static const char *give(value_t *out, num_t r) {
@@ -89,32 +86,19 @@ static const char *fn_min(lang_t *l, value_t *a, int n) {
 }
 
 static const char *fn_rand(lang_t *l, value_t *a, int n) {
-    enum { M1 = 2147483563, M2 = 2147483399, START = 1234567890 };
     (void)n;
     num_t arg = value_num(*a);
     if (arg.undef) return NULL;
     int sign = num_sign(arg);
-    if (sign < 0 || l->seed[0] == 0) l->seed[0] = l->seed[1] = START;
+    if (sign < 0 || l->seed[0] == 0) l->seed[0] = l->seed[1] = NOISE_START;
     if (sign > 0) {
         bool ok = true;
         int64_t seed = num_to_fixed(num_trunc(arg), 0, &ok);
-        if (!ok || seed < 1 || seed >= M2) return "illegal seed value";
+        if (!ok || seed < 1 || seed >= NOISE_M2) return "illegal seed value";
         l->seed[0] = l->seed[1] = (int32_t)seed;
     }
-    int32_t a0 = l->seed[0], a1 = l->seed[1];
-    /* Schrage's way to a * seed mod m: every product stays below 2^31, whatever the 32 bits of the seed are. */
-    int32_t k = a0 / 53668;
-    a0 = 40014 * (a0 - k * 53668) - k * 12211;
-    if (a0 < 0) a0 += M1;
-    k = a1 / 52774;
-    a1 = 40692 * (a1 - k * 52774) - k * 3791;
-    if (a1 < 0) a1 += M2;
-    l->seed[0] = a0;
-    l->seed[1] = a1;
-    int32_t z = a0 - a1;
-    if (z < 1) z += M1 - 1;
-    /* gnuplot's factor, the double 4.656613057e-10, a little less than 1 / M1: the result is inside ]0, 1[. */
-    return give(a, num_double_mul(num_from_i64(z), (num_t){0x4000002a68dfdc00, -93, false}));
+    *a = value_real(noise_next(l->seed));
+    return NULL;
 }
 
 static const char *fn_column(lang_t *l, value_t *a, int n) {

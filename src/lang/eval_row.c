@@ -6,6 +6,7 @@
 #include "lang/eval_row.h"
 #include "lang/arith.h"
 #include "lang/builtins.h"
+#include "num/noise.h"
 #include "num/num_double.h"
 
 #if EVAL_ROW_MAX > 1
@@ -31,7 +32,7 @@ uint8_t eval_row_width(const uint8_t *code) {
     int kept = code[0] == OP_FRAME ? code[1] : 0, depth = 0, most = 1;
     const uint8_t *p = code + (kept ? 2 : 0);
     for (; *p != OP_RET; p += 1 + code_operands(*p)) {
-        if (*p == OP_FUNC && !(BUILTINS[p[1]].flags & BUILTIN_IMPURE) && p[2] <= ARGS)
+        if (*p == OP_FUNC && p[2] <= ARGS)
             depth += 1 - p[2];
         else if (is_binary(*p))
             depth--;
@@ -153,6 +154,22 @@ static __attribute__((noinline)) void any_function(work_t *w, lang_t *l, const u
     }
 }
 
+/* rand(), which is mostly asked for the next number. */
+static __attribute__((noinline)) void random_function(work_t *w, lang_t *l, const uint8_t *pc, int32_t (*seed)[2],
+                                                      operand_t a, value_t *to) {
+    for (int k = 0; k < w->n; k++, a.at += a.step, to++) {
+        if (a.at->m == 0 && a.at->kind != VALUE_UNDEF) {
+            put(to, noise_next(seed[k]));
+            continue;
+        }
+        memcpy(l->seed, seed[k], sizeof l->seed);
+        value_t v = *a.at;
+        note(w, k, BUILTINS[pc[1]].any(l, &v, 1));
+        *to = v;
+        memcpy(seed[k], l->seed, sizeof l->seed);
+    }
+}
+
 /* The operand behind OP_LOCAL or OP_ARG. */
 static operand_t local(const eval_row_t *r, const value_t *area, int width, int i) {
     if (i == 0) return (operand_t){r->column, r->stride};
@@ -211,6 +228,8 @@ bool eval_row(lang_t *l, const eval_row_t *r, int width, int n, num_t *out) {
         top -= takes;
         if (op == OP_REAL1)
             real_function(&w, BUILTINS[pc[1]].real1, top[0], to);
+        else if (op == OP_FUNC && BUILTINS[pc[1]].flags & BUILTIN_IMPURE)
+            random_function(&w, l, pc, r->seed, top[0], to);
         else if (op == OP_FUNC)
             any_function(&w, l, pc, top, to);
         else if (takes == 2)

@@ -1,7 +1,8 @@
 /* eval_row.h - an expression at several points of a row at once: each operation is decoded once and done for all.
  *
  * For straight code (parts.h) as hoist.c makes it: what depends on the column or on the row alone is there already.
- * The values are those of expr_run, bit for bit; what is rare is left to it. */
+ * The values are those of expr_run, bit for bit, where each point's random numbers have seeds of their own; what is
+ * rare is left to it. */
 #ifndef EVAL_ROW_H
 #define EVAL_ROW_H
 
@@ -18,6 +19,7 @@ typedef struct eval_row {
     int32_t stride;
     uint8_t per_column, per_row;
     const value_t *row; /* y and what depends on it */
+    int32_t (*seed)[2]; /* of each point's random numbers; they go on */
 } eval_row_t;
 
 /* How many points at once, EVAL_ROW_MAX at the most; 0 if the code is not of that kind or the evaluator's stack, which

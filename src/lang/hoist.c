@@ -8,6 +8,7 @@
 #include "lang/code.h"
 #include "lang/inline.h"
 #include "lang/parts.h"
+#include "num/noise.h"
 
 enum { OF_X = 1, OF_Y = 2, OF_BOTH = 3, FIRST = 2 /* slot behind x and y */ };
 
@@ -156,8 +157,9 @@ static void take_apart(hoist_t *h, const plan_t *p, const expr_t *x, uint8_t *co
 #define INLINE_WORTH (8 * INLINE_CODE_MAX) /* bytes lent below which calls are not replaced: most are for the table */
 
 /* The memory of hoist_init: the result, code with its calls replaced, the three pieces' code, the table. */
-size_t hoist_init(lang_t *lang, const expr_t *x, bool pure, int32_t columns, void *mem, size_t bytes) {
+size_t hoist_init(lang_t *lang, const expr_t *x, const int32_t seed[2], int32_t columns, void *mem, size_t bytes) {
     hoist_t *h = mem;
+    const bool pure = seed == NULL;
     expr_t flat = *x;
     size_t used = sizeof *h;
     if (INLINE_CALLS && pure && inline_is_call(x) && bytes >= INLINE_WORTH &&
@@ -167,13 +169,17 @@ size_t hoist_init(lang_t *lang, const expr_t *x, bool pure, int32_t columns, voi
     bool apart = pure && parts_find(flat.code, true, &p.parts) && find_moved(&p) && p.n > 0 &&
                  flat.stack + p.per_column + p.per_row <= CONFIG_STACK;
     size_t code = apart ? (code_bytes(&p, flat.len) + 7) / 8 * 8 : 0;
-    size_t table = (size_t)columns * (1u + (apart ? p.per_column : 0u)) * sizeof(value_t);
+    const int stride = 1 + (apart ? p.per_column : 0) + (pure ? 0 : 1);
+    size_t table = (size_t)columns * (size_t)stride * sizeof(value_t);
     if (used + code + table > bytes) return 0;
     *h = (hoist_t){.lang = lang, .point = *x, .table = (value_t *)(void *)((uint8_t *)mem + used + code)};
-    for (int32_t i = 0; i < columns; i++) h->table[i * (1 + (apart ? p.per_column : 0))].kind = VALUE_UNDEF;
+    h->stride = (uint8_t)stride;
+    h->random = !pure;
+    if (!pure) memcpy(h->seed, seed, sizeof h->seed);
+    for (int32_t i = 0; i < columns; i++) h->table[i * stride].kind = VALUE_UNDEF;
     h->of_row[0].kind = VALUE_UNDEF;
     if (apart) take_apart(h, &p, &flat, (uint8_t *)mem + used);
-    if (EVAL_ROW_MAX > 1 && pure) h->width = eval_row_width(h->point.code);
+    if (EVAL_ROW_MAX > 1) h->width = eval_row_width(h->point.code);
     return used + code + table;
 }
 
@@ -190,7 +196,8 @@ static int run(hoist_t *h, const expr_t *part, num_t v, int slot, int n, value_t
 }
 
 int hoist_column(hoist_t *h, int32_t i, num_t x) {
-    value_t *column = &h->table[i * (1 + h->per_column)];
+    value_t *column = &h->table[i * h->stride];
+    if (h->random) column[1 + h->per_column] = value_int((int64_t)noise_at(noise_hash(h->seed), x));
     int err = run(h, &h->column, x, FIRST, h->per_column, column);
     if (EVAL_ROW_MAX > 1) h->column_dead |= column->kind == VALUE_UNDEF;
     return err;
@@ -202,13 +209,25 @@ int hoist_row(hoist_t *h, num_t y) {
     return err;
 }
 
+/* The hash of a point in the last row. */
+static uint64_t hash_of(const hoist_t *h, const value_t *column) {
+    const value_t *y = &h->of_row[0];
+    return noise_at((uint64_t)column[1 + h->per_column].m, (num_t){y->m, y->e, false});
+}
+
+/* Done before an expression is run, so that nothing of it is on the stack then. */
+static __attribute__((noinline)) void seed_point(const hoist_t *h, const value_t *column) {
+    noise_seeds(hash_of(h, column), h->lang->seed);
+}
+
 int hoist_point(const hoist_t *h, int32_t i, value_t *out) {
-    const value_t *column = &h->table[i * (1 + h->per_column)];
+    const value_t *column = &h->table[i * h->stride];
     if (h->row_dead || column->kind == VALUE_UNDEF) {
         *out = value_undef();
         return 0;
     }
     value_t *to = h->lang->stack;
+    if (h->random) seed_point(h, column);
     to[0] = *column++;
     to[1] = h->of_row[0];
     to += FIRST;
@@ -218,13 +237,14 @@ int hoist_point(const hoist_t *h, int32_t i, value_t *out) {
 }
 
 int hoist_points(const hoist_t *h, int32_t i, int n, num_t *out) {
-    const int32_t stride = 1 + h->per_column;
     const bool at_once = EVAL_ROW_MAX > 1 && h->width > 0 && !h->row_dead && !h->column_dead;
     int err = 0;
     for (int done = 0, some; done < n; done += some) {
         some = !at_once ? 1 : n - done < h->width ? n - done : h->width;
-        const eval_row_t row = {h->point.code, &h->table[(i + done) * stride], stride, h->per_column, h->per_row,
-                                h->of_row};
+        const value_t *column = &h->table[(i + done) * h->stride];
+        int32_t seed[EVAL_ROW_MAX][2];
+        for (int k = 0; at_once && h->random && k < some; k++) noise_seeds(hash_of(h, column + k * h->stride), seed[k]);
+        const eval_row_t row = {h->point.code, column, h->stride, h->per_column, h->per_row, h->of_row, seed};
         if (at_once && eval_row(h->lang, &row, h->width, some, out + done)) continue;
         for (int k = done; k < done + some; k++) {
             value_t v;

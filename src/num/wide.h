@@ -122,6 +122,16 @@ static inline wide_u_t wide_mul_u64(uint64_t a, uint64_t b) {
 #endif
 }
 
+/* a * b modulo 2^64; where that is no instruction the compiler calls a routine that takes twice as long. */
+static inline uint64_t wide_mul_low_u64(uint64_t a, uint64_t b) {
+#if defined __ARM_ARCH_6M__ && defined __arm__
+    const uint32_t high = (uint32_t)(a >> 32) * (uint32_t)b + (uint32_t)a * (uint32_t)(b >> 32);
+    return wide_mul_u32((uint32_t)a, (uint32_t)b) + ((uint64_t)high << 32);
+#else
+    return a * b;
+#endif
+}
+
 /* a * b of 96 bits. */
 static inline wide_u_t wide_mul_u64_u32(uint64_t a, uint32_t b) {
     uint64_t lo = wide_mul_u32((uint32_t)a, b), hi = wide_mul_u32((uint32_t)(a >> 32), b) + (lo >> 32);

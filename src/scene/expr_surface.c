@@ -1,9 +1,8 @@
 /* expr_surface.c - points of an expression, computed on demand. */
 #include "scene/expr_surface.h"
 #include "error.h"
+#include "num/noise.h"
 #include "num/num_double.h"
-
-#define SEED_MASK 0x3fffffffu /* rand() takes seeds from 1 to 2^31 - 250 */
 
 void expr_surface_source(expr_source_t *s, lang_t *lang, const expr_t *expr) {
     *s = (expr_source_t){.lang = lang, .expr = *expr, .random = expr_is_impure(lang, expr)};
@@ -11,23 +10,14 @@ void expr_surface_source(expr_source_t *s, lang_t *lang, const expr_t *expr) {
     s->seed[1] = lang->seed[1];
 }
 
-static uint64_t mix(uint64_t h, num_t a) {
-    /* splitmix64's finaliser over the bits of the number */
-    h += (uint64_t)a.m + ((uint64_t)(uint16_t)a.e << 1);
-    h = (h ^ h >> 30) * 0xbf58476d1ce4e5b9u;
-    h = (h ^ h >> 27) * 0x94d049bb133111ebu;
-    return h ^ h >> 31;
-}
-
-static void seed_for(expr_source_t *s, const num_t *at, int n) {
-    uint64_t h = (uint64_t)(uint32_t)s->seed[0] << 32 | (uint32_t)s->seed[1];
-    for (int k = 0; k < n; k++) h = mix(h, at[k]);
-    s->lang->seed[0] = (int32_t)(h & SEED_MASK) + 1;
-    s->lang->seed[1] = (int32_t)(h >> 32 & SEED_MASK) + 1;
-}
-
 static void note_error(expr_source_t *s, int err) {
     if (err && !s->error) s->error = err;
+}
+
+static __attribute__((noinline)) void seed_for(const expr_source_t *s, const num_t *at, int n) {
+    uint64_t hash = noise_hash(s->seed);
+    for (int k = 0; k < n; k++) hash = noise_at(hash, at[k]);
+    noise_seeds(hash, s->lang->seed);
 }
 
 static num_t evaluate(expr_source_t *s, const num_t *at, int n) {
@@ -54,7 +44,7 @@ static num_t y_of(void *ctx, int32_t j) {
 static size_t lend_anywhere(void *ctx, void *mem, size_t bytes) {
     expr_grid_t *g = ctx;
     expr_source_t *s = g->source;
-    size_t used = mem && !s->random ? hoist_init(s->lang, &s->expr, true, 1, mem, bytes) : 0;
+    size_t used = mem && !s->random ? hoist_init(s->lang, &s->expr, NULL, 1, mem, bytes) : 0;
     g->hoist = used ? mem : NULL;
     if (used) g->hoist->anywhere = true;
     return used;
@@ -79,13 +69,8 @@ static num_t z_at(void *ctx, num_t x, num_t y) {
     return z_there(ctx, at);
 }
 
-static __attribute__((noinline)) void seed_hoisted(const expr_grid_t *g, int32_t i) {
-    seed_for(g->source, (num_t[]){hoist_x(g->hoist, i), g->row_y}, 2);
-}
-
 static __attribute__((noinline)) num_t z_hoisted(const expr_grid_t *g, int32_t i) {
     value_t v;
-    if (g->source->random) seed_hoisted(g, i);
     note_error(g->source, hoist_point(g->hoist, i, &v));
     return value_num(v);
 }
@@ -127,7 +112,7 @@ static size_t lend(void *ctx, void *mem, size_t bytes) {
     expr_source_t *s = g->source;
     g->hoist = NULL;
     g->row = -1;
-    size_t used = mem ? hoist_init(s->lang, &s->expr, !s->random, g->n[0], mem, bytes) : 0;
+    size_t used = mem ? hoist_init(s->lang, &s->expr, s->random ? s->seed : NULL, g->n[0], mem, bytes) : 0;
     if (!used) return 0;
     g->hoist = mem;
     for (int32_t i = 0; i < g->n[0]; i++) note_error(s, hoist_column(g->hoist, i, place(g, 0, i)));

@@ -10,10 +10,12 @@
 
 #include "lang/hoist.h"
 #include "lang/inline.h"
+#include "num/noise.h"
 
 enum { COLUMNS = 21, ROWS = 7 };
 
 static lang_t lang;
+static const int32_t SEED[2] = {4711, 1000000007};
 static uint8_t code[2000];
 static uint64_t mem[8192];
 
@@ -48,12 +50,13 @@ static num_t at(int i, int n) {
 /* The values of all points; how many of a column and a row were taken out. */
 static void assert_same(const char *text, int per_column, int per_row) {
     expr_t x = compiled(text);
-    size_t need = hoist_init(&lang, &x, !expr_is_impure(&lang, &x), COLUMNS, mem, sizeof mem);
+    const int32_t *seed = expr_is_impure(&lang, &x) ? SEED : NULL;
+    size_t need = hoist_init(&lang, &x, seed, COLUMNS, mem, sizeof mem);
     assert_true(need > 0);
-    if (!inline_is_call(&x)) assert_int_equal(hoist_init(&lang, &x, true, COLUMNS, mem, need - 1), 0);
+    if (!inline_is_call(&x)) assert_int_equal(hoist_init(&lang, &x, seed, COLUMNS, mem, need - 1), 0);
     memset(mem, 0x5a, sizeof mem);
     size_t lent = inline_is_call(&x) ? sizeof mem : need;
-    hoist_init(&lang, &x, !expr_is_impure(&lang, &x), COLUMNS, mem, lent);
+    hoist_init(&lang, &x, seed, COLUMNS, mem, lent);
     hoist_t *h = (hoist_t *)(void *)mem;
     if (per_column >= 0 && (h->per_column != per_column || h->per_row != per_row))
         fail_msg("%s: %d of a column, %d of a row", text, h->per_column, h->per_row);
@@ -74,6 +77,7 @@ static void assert_same(const char *text, int per_column, int per_row) {
             const num_t one = value_num(b);
             if (one.undef != all[i].undef || (!one.undef && (one.m != all[i].m || one.e != all[i].e)))
                 fail_msg("%s at column %d, row %d with others at once", text, i, j);
+            if (seed) noise_seeds(noise_at(noise_at(noise_hash(SEED), place[0]), place[1]), lang.seed);
             int err = expr_eval(&lang, &x, place, &a);
             if (a.kind != b.kind || (a.kind != VALUE_UNDEF && (a.m != b.m || a.e != b.e)))
                 fail_msg("%s at column %d, row %d", text, i, j);
@@ -167,6 +171,19 @@ static void what_is_not_straight_stays_whole(void **state) {
                 -1);
 }
 
+static void random_numbers_belong_to_places(void **state) {
+    (void)state;
+    define("wild(t) = t + rand(0)");
+    assert_same("rand(0)", 0, 0);
+    assert_same("rand(0)*10 + floor(x)*rand(0) - y", 0, 0);
+    assert_same("rand(x) + rand(0)", 0, 0); /* some are seeds, and some illegal ones */
+    assert_same("rand(-1)*x + rand(0)*y + rand(x*y)", 0, 0);
+    assert_same("rand(sqrt(x)) + rand(0)", 0, 0);
+    assert_same("wild(x) + wild(y)", 0, 0);
+    assert_same("(rand(0) > 0.5 ? x : y) + rand(0)", 0, 0);
+    assert_same("(t = rand(0), t*t)", 0, 0);
+}
+
 /* Calls by the dozen, whose values kept run out at some number. */
 static void many_calls(void **state) {
     (void)state;
@@ -240,6 +257,7 @@ int main(void) {
         cmocka_unit_test_setup(undefined_parts_are_holes, setup),
         cmocka_unit_test_setup(errors_are_told, setup),
         cmocka_unit_test_setup(what_is_not_straight_stays_whole, setup),
+        cmocka_unit_test_setup(random_numbers_belong_to_places, setup),
         cmocka_unit_test_setup(many_calls, setup),
         cmocka_unit_test_setup(random_ones, setup),
     };
