@@ -14,9 +14,9 @@ $(EMUDIR)/sim-$1: $(patsubst %.c,$(EMUDIR)/obj-$1/%.o,firmware/main.c tests/emu/
 	$$(Q)$(CC) $(EMU_ABI) $$^ -o $$@
 endef
 $(foreach b,$(BOARDS),$(eval $(call sim_board,$b)))
-$(EMUDIR)/scope.so: tests/emu/scope.c tests/emu/stim.h
+$(EMUDIR)/scope.so: tests/emu/scope.c tests/emu/scope_flash.c $(wildcard tests/emu/*.h)
 	@mkdir -p $(@D)
-	$(Q)$(CC) -shared -fPIC -O2 -Wall -Wextra -o $@ $<
+	$(Q)$(CC) -shared -fPIC -O2 -Wall -Wextra -o $@ $(filter %.c,$^)
 $(EMUDIR)/count.so: tests/emu/count.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) -shared -fPIC -O2 -Wall -Wextra -o $@ $<

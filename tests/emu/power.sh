@@ -48,4 +48,4 @@ power_cuts() { # most us that a save takes, halvings
         bad "cut: never half written, between $lo and $hi us"
     fi
 }
-if [ $board = rp2040 ]; then power_cuts 100000 5; else power_cuts 20000 9; fi
+if [ $board = nrf51 ]; then power_cuts 20000 9; else power_cuts 100000 6; fi # an erase is milliseconds long; not in QEMU's model of the nRF51

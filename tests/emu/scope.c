@@ -6,52 +6,22 @@
  * store=FILE,flash=ADDRESS+BYTES writes that part of the flash to the file when the run ends.
  * drawings=N ends the run 20 ms after `enable` has gone off for the N-th time; it ends, too, when all has been played
  * and no pin has moved for 30 s. A byte that the UART model cannot take is written to stderr, where the test finds it.
- *
- * Debian's QEMU 7.2 has no headers for plugins, and the public interface has neither virtual time nor GPIO lines; so
- * both the interface and the internals used (which its binary exports) are declared here by hand. */
+ * stellaris=1 gives the board the flash controller that QEMU lacks (scope_flash.h). */
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "qemu_inside.h"
+#include "scope_flash.h"
 #include "stim.h"
 
 #define EXPORT __attribute__((visibility("default")))
-#define CLOCK_VIRTUAL 1
 #define BYTE_NS 86806
 #define PINS 6
 #define QUIET_NS 20000000
 #define STILL_NS 30000000000
-
-/* The public interface, version 1. */
-typedef uint64_t qemu_plugin_id_t;
-struct qemu_plugin_tb;
-struct qemu_info;
-extern void qemu_plugin_register_vcpu_tb_trans_cb(qemu_plugin_id_t,
-                                                  void (*)(qemu_plugin_id_t, struct qemu_plugin_tb *));
-extern void qemu_plugin_register_atexit_cb(qemu_plugin_id_t, void (*)(qemu_plugin_id_t, void *), void *);
-
-/* Internals of 7.2. */
-typedef void *qemu_irq;
-extern int64_t qemu_clock_get_ns(int type);
-extern void *object_resolve_path(const char *path, bool *ambiguous);
-extern qemu_irq qemu_allocate_irq(void (*handler)(void *, int, int), void *opaque, int n);
-extern qemu_irq qdev_intercept_gpio_out(void *dev, qemu_irq icpt, const char *name, int n);
-extern qemu_irq qdev_get_gpio_in(void *dev, int n);
-extern void qemu_set_irq(qemu_irq irq, int level);
-extern void timer_init_full(void *timer, void *list, int type, int scale, int attrs, void (*cb)(void *), void *opaque);
-extern void timer_mod(void *timer, int64_t expire);
-extern void timer_del(void *timer);
-extern void qemu_mutex_lock_iothread_impl(const char *file, int line);
-extern void qemu_mutex_unlock_iothread(void);
-extern bool qemu_mutex_iothread_locked(void);
-extern void *qemu_chr_find(const char *name);
-extern int qemu_chr_be_can_write(void *chardev);
-extern void qemu_chr_be_write(void *chardev, const uint8_t *buf, int len);
-extern void qemu_system_shutdown_request(int cause);
-extern void *qemu_get_cpu(int index);
-extern int cpu_memory_rw_debug(void *cpu, uint64_t at, void *buf, uint64_t bytes, bool write);
 
 EXPORT int qemu_plugin_version = 1;
 
@@ -73,7 +43,7 @@ static struct {
     int drawings, to_draw;
     stim_t *stim;
     int stims, at, byte;
-    bool started, ending;
+    bool started, ending, stellaris;
     char store[160];
     unsigned flash_at, flash_bytes, poked;
     uint8_t was[2];
@@ -117,13 +87,13 @@ static void type_byte(const stim_t *s) {
 /* Writes 16 bits, of flash as well; what was there is kept for heal(). */
 static void poke(unsigned at, unsigned value) {
     uint8_t two[2] = {(uint8_t)value, (uint8_t)(value >> 8)};
-    cpu_memory_rw_debug(qemu_get_cpu(0), at, g.was, 2, false);
-    cpu_memory_rw_debug(qemu_get_cpu(0), at, two, 2, true);
+    qemu_memory(at, g.was, 2, false);
+    qemu_memory(at, two, 2, true);
     g.poked = at;
 }
 
 static void heal(void) {
-    cpu_memory_rw_debug(qemu_get_cpu(0), g.poked, g.was, 2, true);
+    qemu_memory(g.poked, g.was, 2, true);
 }
 
 static void play(void *unused) {
@@ -192,6 +162,11 @@ static void connect(void) {
     if (!locked) qemu_mutex_unlock_iothread();
 }
 
+static void on_cpu(qemu_plugin_id_t id, unsigned cpu) {
+    (void)id, (void)cpu;
+    if (g.stellaris) flash_connect(g.flash_at, g.flash_bytes);
+}
+
 /* The first translation: all devices exist, no instruction has run. */
 static void on_translation(qemu_plugin_id_t id, struct qemu_plugin_tb *tb) {
     (void)id, (void)tb;
@@ -206,9 +181,9 @@ static void at_exit(qemu_plugin_id_t id, void *unused) {
     fclose(g.vcd);
     FILE *f = g.store[0] ? fopen(g.store, "wb") : NULL;
     if (!f) return;
+    if (g.stellaris) flash_power_off();
     void *flash = malloc(g.flash_bytes);
-    if (cpu_memory_rw_debug(qemu_get_cpu(0), g.flash_at, flash, g.flash_bytes, false) == 0)
-        fwrite(flash, 1, g.flash_bytes, f);
+    if (qemu_memory(g.flash_at, flash, g.flash_bytes, false)) fwrite(flash, 1, g.flash_bytes, f);
     free(flash);
     fclose(f);
 }
@@ -227,6 +202,7 @@ static bool parse(const char *arg) {
     if (sscanf(arg, "store=%159s", g.store) == 1) return true;
     if (sscanf(arg, "flash=%i+%i", (int *)&g.flash_at, (int *)&g.flash_bytes) == 2) return true;
     if (sscanf(arg, "drawings=%d", &g.to_draw) == 1) return true;
+    if (strcmp(arg, "stellaris=1") == 0) return g.stellaris = true;
     if (sscanf(arg, "input=%15[^:]:%159s", name, rest) == 2 && stim_input(name) >= 0) {
         parse_wire(&g.input[stim_input(name)], rest);
         return true;
@@ -254,6 +230,7 @@ EXPORT int qemu_plugin_install(qemu_plugin_id_t id, const struct qemu_info *info
     fprintf(g.vcd, "$upscope $end\n$enddefinitions $end\n#0\n$dumpvars\n");
     for (int i = 0; i < PINS; i++) fprintf(g.vcd, "0%c\n", '!' + i);
     fprintf(g.vcd, "$end\n");
+    qemu_plugin_register_vcpu_init_cb(id, on_cpu);
     qemu_plugin_register_vcpu_tb_trans_cb(id, on_translation);
     qemu_plugin_register_atexit_cb(id, at_exit, NULL);
     return 0;

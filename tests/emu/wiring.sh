@@ -1,14 +1,8 @@
-# wiring.sh - levels turned round, in the board's memory from the first moment on where it has one in the emulator; for the tests of the
-# boards, after lib.sh.
+# wiring.sh - levels turned round, in the board's memory from the first moment on; for the tests of the boards, after lib.sh.
 within=${within:-0.8}
-if [ $board = lm3s6965 ]; then
-    turned='x_step y_step pen enable'
-    scene polarity $within 9
-else
-    scene polarity_set -
-    turned='x_step y_step pen enable'
-    again polarity_kept ${switch_us:-$within} 9
-fi
+scene polarity_set -
+turned='x_step y_step pen enable'
+again polarity_kept ${switch_us:-$within} 9
 says 'ALARM: a limit switch closed'
 turned=
 # What is at the pen's pin follows its bit within 1 ms; pen.mjs judges it.
