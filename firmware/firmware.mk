@@ -17,7 +17,13 @@ FW_OBJ_$1 := $$(patsubst %,$(FWDIR)/$1/%.o,$$(basename $$(FW_SRC) $$(wildcard ha
 $(FWDIR)/$1/%.o: %.c firmware/boards.mk
 	@mkdir -p $$(@D)
 	$$(call say,CC,$1 $$<)
-	$$(Q)$(CROSS)gcc -Isrc -I. -Ihal/$1 $$(CPU_$1) $$(OPT_$1) $$(addprefix -D,$$(CONFIG_$1)) $(UNSET:%=-U%) $(FW_CFLAGS) -c $$< -o $$@
+	$$(Q)$(CROSS)gcc -Isrc -I. -Ihal/$1 $$(CPU_$1) $$(OPT_$1) $$(addprefix -D,$$(CONFIG_$1)) $(UNSET:%=-U%) $$(FW_CFLAGS) -c $$< -o $$@
+$(FWDIR)/$1/help.h: firmware/tools/pack_help.c src/lang/help.c src/config.h firmware/boards.mk
+	@mkdir -p $$(@D)
+	$$(Q)$(CC) -O1 -Wall -Wextra -Wno-missing-braces -Isrc $$(addprefix -D,$$(CONFIG_$1)) $$< -o $$(@D)/pack_help
+	$$(Q)$$(@D)/pack_help >$$@
+$(FWDIR)/$1/src/lang/help.o: $(FWDIR)/$1/help.h
+$(FWDIR)/$1/src/lang/help.o: FW_CFLAGS += -DHELP_PACKED='"$(FWDIR)/$1/help.h"'
 $(FWDIR)/$1/%.o: %.S
 	@mkdir -p $$(@D)
 	$$(Q)$(CROSS)gcc $$(CPU_$1) -mthumb -c $$< -o $$@

@@ -223,13 +223,7 @@ static void tell_room(const console_t *c) {
 }
 
 static int help_board(console_t *c) {
-    say("home               to the limit switches, which makes the place of the pen known\n"
-        "unlock             the pen was put to its origin by hand\n"
-        "pen up|down  motors on|off\n"
-        "save  load         the present scene, kept without power; the start button draws it\n"
-        "autorun on|off     draw it when the power comes on\n"
-        "status  memory     as ?; how much of each memory was used\n"
-        "At any time, first on a line:  ? status  ! hold  ~ resume  Ctrl-X stop\n");
+    session_line(&c->session, "help board");
     tell_room(c);
     return 0;
 }

@@ -116,21 +116,12 @@ static void find_nearest(halo_ink_t *d) {
     }
 }
 
-/* All but drawing, apart from it for the stack; *cut stays NULL where nothing is to be drawn. */
-static __attribute__((noinline)) int find_crossings(const halo_source_t *source, int32_t width, bool ends,
-                                                    const hidden_job_t *job, hidden_stats_t *stats, halo_t **cut,
-                                                    halo_ink_t **ink) {
-    *stats = (hidden_stats_t){0};
-    if (source->edges == 0) return 0;
-    hidden_job_t rest = *job;
-    HIDDEN_STATE(halo_ink_t, d, rest);
-    HIDDEN_STATE(halo_t, h, rest);
-    if (d == NULL || h == NULL) return ERR_FULL;
-    memset(d, 0, sizeof *d);
-    d->source = source;
-    d->job = job;
-    d->stats = stats;
-    d->edge = -1;
+/* All but drawing, apart from it for the stack. */
+static __attribute__((noinline)) int find_crossings(halo_ink_t *d, halo_t *h, int32_t width, bool ends,
+                                                    const hidden_job_t *rest) {
+    const halo_source_t *source = d->source;
+    const hidden_job_t *job = d->job;
+    hidden_stats_t *stats = d->stats;
     const page_window_t *w = source->lines[0].window;
     d->window = (page_window_t){w->x0_lat - width, w->y0_lat - width, w->x1_lat + width, w->y1_lat + width};
     view_t *v = &d->view;
@@ -139,7 +130,7 @@ static __attribute__((noinline)) int find_crossings(const halo_source_t *source,
         if (source->lines[k].frac_bits < d->frac_bits) d->frac_bits = source->lines[k].frac_bits;
     }
     if (is_perspective(d)) find_nearest(d);
-    halo_init(h, rest.mem, rest.bytes);
+    halo_init(h, rest->mem, rest->bytes);
     h->contact = CONTACT;
     h->tick = job->tick;
     h->tick_ctx = job->tick_ctx;
@@ -156,23 +147,29 @@ static __attribute__((noinline)) int find_crossings(const halo_source_t *source,
     stats->bytes = h->used;
     if (err != 0 && h->crossings <= 0) { /* it came to the edges, or to their grid */
         stats->bytes = HALO_BYTES_PER_EDGE_LEAST * (size_t)stats->edges;
-        if (stats->bytes <= rest.bytes) stats->bytes = HALO_BYTES(stats->edges, 0);
+        if (stats->bytes <= rest->bytes) stats->bytes = HALO_BYTES(stats->edges, 0);
     }
     stats->bytes += HIDDEN_LENT(halo_ink_t) + HIDDEN_LENT(halo_t);
     d->edge = -1;
-    *cut = h;
-    *ink = d;
     return err;
 }
 
 int halo_ink_draw(const halo_source_t *source, int32_t width, bool ends, const hidden_job_t *job,
                   hidden_stats_t *stats) {
-    halo_sink_t sink = {NULL, take};
-    halo_t *h = NULL;
-    halo_ink_t *d = NULL;
-    int err = find_crossings(source, width, ends, job, stats, &h, &d);
-    if (err != 0 || h == NULL) return err;
-    sink.ctx = d;
+    *stats = (hidden_stats_t){0};
+    if (source->edges == 0) return 0;
+    hidden_job_t rest = *job;
+    HIDDEN_STATE(halo_ink_t, d, rest);
+    HIDDEN_STATE(halo_t, h, rest);
+    if (d == NULL || h == NULL) return ERR_FULL;
+    memset(d, 0, sizeof *d);
+    d->source = source;
+    d->job = job;
+    d->stats = stats;
+    d->edge = -1;
+    const halo_sink_t sink = {d, take};
+    int err = find_crossings(d, h, width, ends, &rest);
+    if (err != 0) return err;
     err = halo_draw(h, width, &sink);
     tell(job, 1, 1);
     return err;

@@ -1,35 +1,74 @@
-/* help.c - short texts about the language, one per topic; on a board they lie in flash. */
+/* help.c - short texts about the language, one per topic; on a board they lie in flash, where it is small packed by
+ * firmware/tools/pack_help.c, which reads this file. A board's are about what it can do: it has no files. */
+#ifndef HELP_TEXTS_ONLY
 #include "lang/session_parts.h"
+#else
+#include "config.h"
+#endif
 
-typedef struct topic {
+#define FILES (CONFIG_LOAD_DEPTH > 0)
+#define SEVERAL (CONFIG_PLOT_ITEMS > 1)
+
+#ifdef HELP_PACKED
+#include HELP_PACKED
+#else
+static const struct {
     const char *pattern; /* as a command or an option is abbreviated */
     const char *text;
-} topic_t;
-
-static const char overview[] =
-    "splot f(x,y)       draw a surface; also a data file: splot 'hill.dat', or several: splot f(x,y), 'hill.dat'\n"
-    "plot f(x)          draw a curve\n"
-    "replot             draw the last plot again with the present settings\n"
-    "set/unset/show     xrange yrange zrange samples isosamples view hidden3d halo hatch light shadow pen crease "
-    "title\n"
-    "                   xyplane paper machine dummy datafile; show all\n"
-    "a = 3              set a variable;  f(x,y) = x*y  define a function\n"
-    "print a, f(1,2)    compute\n"
-    "load 'file'  pause -1 'text'  reset  quit  help [word]\n"
-    "Commands may be separated by ;  continued by \\ at the end of a line; # begins a comment.\n"
-    "More: help splot, help set view, help functions, help data, help machine, ...\n";
-
-static const topic_t topics[] = {
+} topics[] = {
+    {"", /* of all */
+#if FILES
+     "splot f(x,y)       draw a surface; also a data file: splot 'hill.dat', or several: splot f(x,y), 'hill.dat'\n"
+#else
+     "splot f(x,y)       draw a surface; splot '-': of rows that are typed next (help data)\n"
+#endif
+     "plot f(x)          draw a curve\n"
+     "replot             draw the last plot again with the present settings\n"
+     "set/unset/show     xrange yrange zrange samples isosamples view hidden3d halo xyplane paper machine dummy\n"
+#if CONFIG_AREA
+     "                   hatch light shadow pen crease title datafile; show all\n"
+#else
+     "                   title datafile; show all\n"
+#endif
+     "a = 3              set a variable;  f(x,y) = x*y  define a function\n"
+     "print a, f(1,2)    compute\n"
+#if FILES
+     "load 'file'  pause -1 'text'  reset  quit  help [word]\n"
+#else
+     "pause -1 'text'  reset  help [word]\n"
+#endif
+     "Commands may be separated by ;  continued by \\ at the end of a line; # begins a comment.\n"
+     "More: help splot, help set view, help functions, help data, help machine, help board, ...\n"},
     {"sp$lot",
+#if SEVERAL
      "splot [x0:x1] [y0:y1] [z0:z1] ELEMENT, ELEMENT, ...     short: sp\n"
+#else
+     "splot [x0:x1] [y0:y1] [z0:z1] ELEMENT     short: sp\n"
+#endif
+#if FILES
      "ELEMENT: an expression in x and y, or 'file', or '-' (rows follow, up to a line e); then\n"
+#else
+     "ELEMENT: an expression in x and y, or '-' (rows follow, up to a line e); then\n"
+#endif
      "  with lines (w l), title 'text', notitle, and for data: using, index, every, skip, matrix (help data).\n"
      "A range may name its variable: splot [u=0:1] [v=0:1] u*v. The grid is set isosamples.\n"},
     {"p$lot",
+#if SEVERAL
      "plot [x0:x1] [y0:y1] ELEMENT, ELEMENT, ...     short: p\n"
+#else
+     "plot [x0:x1] [y0:y1] ELEMENT     short: p\n"
+#endif
+#if FILES
      "ELEMENT: an expression in x, drawn with as many points as set samples, or 'file' or '-' with rows x y or y,\n"
+#else
+     "ELEMENT: an expression in x, drawn with as many points as set samples, or '-' with rows x y or y,\n"
+#endif
      "using 1:2, index, every; then with lines, title 'text', notitle.\n"},
+#if SEVERAL
     {"rep$lot", "replot [more elements]     short: rep\nThe last plot again, with its inline data.\n"},
+#else
+    {"rep$lot", "replot     short: rep\nThe last plot again, with its inline data.\n"},
+#endif
     {"se$t",
      "set OPTION ...     short: se\nOptions: xrange yrange zrange samples isosamples view hidden3d title "
      "xyplane paper\n"
@@ -39,10 +78,17 @@ static const topic_t topics[] = {
     {"sh$ow", "show OPTION, show all, show variables, show functions, show plot\n"},
     {"res$et", "reset: all options to their defaults. Variables and functions stay; reset session forgets them too.\n"},
     {"pr$int", "print VALUE, 'text', ...: one line.\n"},
+#if FILES
     {"l$oad", "load 'file': execute its lines.\n"},
+#else
+    {"l$oad", "See help board.\n"},
+    {"sa$ve", "See help board.\n"},
+#endif
     {"pa$use", "pause SECONDS ['text'];  pause -1 waits for Return, where there is somebody to press it.\n"},
+#if FILES
     {"q$uit", "quit, exit, q: the end.\n"},
     {"ex$it", "quit, exit, q: the end.\n"},
+#endif
     {"vi$ew",
      "set view RX,RZ,SCALE,ZSCALE          gnuplot's rotation in degrees: 60,30,1,1. Parts may be left out: ,,,0.7\n"
      "set view from X,Y,Z [to X,Y,Z]       perspective from a point in the coordinates of the data; without `to` the\n"
@@ -103,7 +149,11 @@ static const topic_t topics[] = {
     {"dataf$ile", "set datafile separator whitespace|comma|tab|'c'. At first both blanks and commas separate.\n"},
     {"au$toscale", "set autoscale [x|y|z|xy...]: these ranges follow the data again.\n"},
     {"data",
+#if FILES
      "splot 'file' [matrix | nonuniform matrix] [index M[:N]] [every A:B:C:D:E:F] [skip N] [using 1:2:3]\n"
+#else
+     "splot '-' [matrix | nonuniform matrix] [index M[:N]] [every A:B:C:D:E:F] [skip N] [using 1:2:3]\n"
+#endif
      "Rows x y z, isolines separated by a blank line, data sets by two; or rows of one z: x and y are then counted\n"
 #if CONFIG_PARAMETRIC
      "from 0. NaN and ? are holes; # begins a comment. Points on no grid of x and y lines: facets where all isolines\n"
@@ -112,12 +162,22 @@ static const topic_t topics[] = {
      "from 0. Points must lie on a grid of x and y lines, spaced as they like. NaN and ? are holes; # begins a\n"
      "comment. using 1:2:($3*2) computes from columns; using 1 takes one column of heights.\n"
 #endif
-     "help solids: OBJ files.\n"},
+#if FILES
+     "help solids: OBJ files.\n"
+#else
+     "For solids see help solids.\n"
+#endif
+    },
     {"sol$ids",
+#if FILES
      "splot 'a.obj' [translate X,Y,Z] [rotate X,Y,Z] [scale S] [crease A], 'b.obj' ...\n"
      "splot '-' solid     rows of OBJ text up to a line e: v x y z, f a b c ..., l a b, o name\n"
+#else
+     "splot '-' solid [translate X,Y,Z] [rotate X,Y,Z] [scale S] [crease A]\n"
+     "Rows of OBJ text follow, up to a line e: v x y z, f a b c ..., l a b, o name\n"
+#endif
      "Moved in the order of the words; degrees about x, then y, then z. crease: edges between faces that meet at less\n"
-     "than A degrees only where they are outlines. With set hidden3d horizon an OBJ file is a terrain.\n"
+     "than A degrees only where they are outlines. With set hidden3d horizon they are a terrain.\n"
 #if CONFIG_AREA
      "translucent ['NAME' ...]: with set hidden3d area what is behind is drawn too, with dashes; NAME: only faces\n"
      "behind usemtl NAME, g NAME or o NAME.\n"
@@ -137,24 +197,69 @@ static const topic_t topics[] = {
      "rand real sgn sin sinh sqrt tan tanh; operators ** ! - + * / % << >> < <= > >= == != & ^ | && || ?:\n"
      "Integers divide as integers: 7/2 is 3, 7./2 is 3.5. What has no value (1/0, sqrt(-1)) is a hole.\n"
      "rand(0) in a plot depends on the place only: the same picture comes out every time.\n"},
+    {"board",
+#if FILES
+     "Of a board's console:\n"
+#endif
+     "home               to the limit switches, which makes the place of the pen known\n"
+     "unlock             the pen was put to its origin by hand\n"
+     "pen up|down  motors on|off\n"
+     "save  load         the present scene, kept without power; the start button draws it\n"
+     "autorun on|off     draw it when the power comes on\n"
+     "status  memory     as ?; how much of each memory was used\n"
+     "At any time, first on a line:  ? status  ! hold  ~ resume  Ctrl-X stop\n"},
 };
+#endif
+
+#ifndef HELP_TEXTS_ONLY
+#ifdef HELP_PACKED
+/* A byte from 128 on stands for two, each of which may be such a byte again. */
+static void tell_topic(const session_port_t *port, size_t topic) {
+    const uint8_t *at = packed;
+    uint8_t open[PACKED_DEPTH + 1];
+    char part[32];
+    size_t n = 0;
+    while (topic > 0) topic -= *at++ == 0;
+    while (*at != 0) {
+        int top = 0;
+        for (open[0] = *at++; top >= 0;) {
+            const uint8_t c = open[top];
+            if (c >= 128) {
+                open[top++] = pair[c - 128][1];
+                open[top] = pair[c - 128][0];
+                continue;
+            }
+            top--;
+            part[n++] = (char)c;
+            if (n < sizeof part - 1 && (*at != 0 || top >= 0)) continue;
+            part[n] = '\0';
+            port->print(port->ctx, part);
+            n = 0;
+        }
+    }
+}
+#else
+static void tell_topic(const session_port_t *port, size_t topic) {
+    port->print(port->ctx, topics[topic].text);
+}
+#endif
 
 int help_command(session_t *s, lexer_t *lx) {
-    const session_port_t *port = s->port;
-    if (session_at_end(lx)) {
-        port->print(port->ctx, overview);
-        return 0;
-    }
     lexer_t last = *lx; /* help set view is about view */
+    size_t topic = 0;
     while (!session_at_end(lx)) {
         last = *lx;
         lexer_next(lx);
+        topic = 1;
     }
-    for (size_t i = 0; i < sizeof topics / sizeof topics[0]; i++) {
-        if (!lexer_is_almost(&last, topics[i].pattern)) continue;
-        port->print(port->ctx, topics[i].text);
+    if (topic == 1) {
+        while (topic < sizeof topics / sizeof topics[0] && !lexer_is_almost(&last, topics[topic].pattern)) topic++;
+    }
+    if (topic < sizeof topics / sizeof topics[0]) {
+        tell_topic(s->port, topic);
         return 0;
     }
     return lang_error_set_name(&s->error, ERR_NAME, lexer_column(&last), "no help for", lexer_text(&last),
                                last.tok.len);
 }
+#endif

@@ -4,6 +4,7 @@
 board=lm3s6965
 . tests/emu/lib.sh
 for s in smooth perspective corexy horizon rand sinc status data cubes typed halo smooth60; do scene $s 0.8; done
+scene help -
 scene rand60 0.8
 scene rate 1 # as fast as `set machine` lets it
 . tests/emu/behave.sh

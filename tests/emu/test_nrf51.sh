@@ -5,6 +5,7 @@ board=nrf51
 . tests/emu/lib.sh
 for s in small smooth perspective corexy horizon rand sinc status data cubes typed halo; do scene $s 2; done
 for s in smooth60 rand60; do scene $s '2 rests'; done
+scene help -
 scene holes 2
 scene halo_ends 2
 scene cubes_many 2
