@@ -47,6 +47,11 @@
 #define CONFIG_PARAMETRIC CONFIG_AREA
 #endif
 
+/* Lines of data that hide nothing are cut where they cross xrange and yrange (0 or 1): 1 KB of flash. */
+#ifndef CONFIG_CROP
+#define CONFIG_CROP CONFIG_AREA
+#endif
+
 /* if, do, while, `for`, and texts that are put together (0 or 1): 6 KB of flash. How many blocks may be open; how often
  * loops may go round before what was typed counts as caught in one. */
 #ifndef CONFIG_CONTROL

@@ -62,6 +62,17 @@ static void scene_box(const picture_t *p, num_t lo[3], num_t hi[3]) {
     for (int32_t k = 0; k < p->spaces; k++) {
         const grid_t *g = &p->grid[k];
         const surface_t *s = g->src;
+#if CONFIG_CROP
+        /* The axis of heights is as long as the points within the ranges want, without those where lines are cut. */
+        const plot_item_t *item = &p->plot->item[k / 2];
+        grid_t inside;
+        if (item->cropped && (s == &item->rows || s == &item->cols)) {
+            const range_t *z = &p->plot->settings->z;
+            if (!grid_measure(&inside, &item->surface, z->auto_lo ? NULL : &z->lo, z->auto_hi ? NULL : &z->hi, NULL,
+                              NULL, NULL))
+                g = &inside;
+        }
+#endif
         const num_t from[3] = {s->x_of(s->ctx, 0), s->y_of(s->ctx, 0), g->z_min};
         const num_t to[3] = {s->x_of(s->ctx, s->nx - 1), s->y_of(s->ctx, s->ny - 1), g->z_max};
         for (int axis = 0; axis < 3; axis++) {

@@ -23,6 +23,7 @@ typedef struct plot_item {
     const char *title;
     int16_t title_len;
     bool solid;      /* of PLOT_SOLIDS: mesh, otherwise surface */
+    bool cropped;    /* rows and cols end at the ranges of x and y, between two points of surface */
     bool parametric; /* this mesh is a surface: its axes are scaled as theirs */
 #if CONFIG_PARAMETRIC
     num_t extent[2][2]; /* of it along x and y, what is left out too: lo, hi */
@@ -32,7 +33,7 @@ typedef struct plot_item {
             surface_t surface; /* the grid that hidden lines are removed from: isosamples x isosamples, or the data */
             /* With HIDDEN_NONE gnuplot draws isolines more finely than they lie apart: the lines of constant y are the
              * rows of `rows`, with samples[0] points each, the lines of constant x the columns of `cols`, with
-             * samples[1] points each. For data both equal `surface`. */
+             * samples[1] points each. For data both equal `surface`, but for a point more where they are cropped. */
             surface_t rows, cols;
             const surface_anywhere_t *anywhere; /* for profiles that leave the grid; NULL for data */
         };

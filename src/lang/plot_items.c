@@ -76,13 +76,32 @@ static int function_item(session_t *s, const session_source_t *src, session_work
     return err ? plot_fail(s, src, err, "the x or y range is too narrow") : 0;
 }
 
+#if CONFIG_CROP
+/* The lines along axis k go on to where they are cut. */
+static void crop(const session_t *s, int k, const data_grid_t *grid, const num_t *x_lim, const num_t *y_lim,
+                 data_crop_t *work, surface_t *out) {
+    const range_t *r = &s->plot.range[k];
+    const num_t *lim = k ? y_lim : x_lim,
+                at[2] = {r->auto_lo && lim ? lim[0] : r->lo, r->auto_hi && lim ? lim[1] : r->hi};
+    data_crop_lines(grid, x_lim, y_lim, at, k == 1, work, out);
+}
+#endif
+
 static int data_item(session_t *s, const session_source_t *src, const data_grid_t *grid, session_work_t *work,
                      plot_item_t *item) {
     num_t x[2], y[2];
-    int err = data_grid_surface(grid, data_limits(s, 0, x), data_limits(s, 1, y), &work->data, &item->surface);
+    const num_t *x_lim = data_limits(s, 0, x), *y_lim = data_limits(s, 1, y);
+    int err = data_grid_surface(grid, x_lim, y_lim, &work->data.data, &item->surface);
     if (err) return plot_fail(s, src, err, "fewer than 2 x 2 of these points are within the x and y ranges");
     item->rows = item->cols = item->surface;
     item->anywhere = NULL;
+#if CONFIG_CROP
+    item->cropped = s->settings.hidden == HIDDEN_NONE && (x_lim || y_lim);
+    if (item->cropped) {
+        crop(s, 0, grid, x_lim, y_lim, &work->data.rows, &item->rows);
+        crop(s, 1, grid, x_lim, y_lim, &work->data.cols, &item->cols);
+    }
+#endif
     return 0;
 }
 
@@ -108,6 +127,7 @@ int plot_items(session_t *s) {
             item->title = src->title;
             item->title_len = (int16_t)src->title_len; /* of a line of CONFIG_LINE_MAX bytes */
             const bool curved = session_is_curved(src) && g == src->grids;
+            item->cropped = false;
             item->solid = src->solid || curved;
             item->parametric = src->parametric || curved;
 #if CONFIG_PARAMETRIC

@@ -17,6 +17,7 @@
 #include "lang/settings.h"
 #include "lang/texts.h"
 #include "lang/words.h"
+#include "scene/data_crop.h"
 #include "scene/data_reader.h"
 #include "scene/expr_surface.h"
 #include "scene/obj_reader.h"
@@ -129,7 +130,12 @@ typedef union session_work {
         expr_source_t source;
         expr_grid_t grid, rows, cols;
     } expr;
-    data_view_t data;
+    struct {
+        data_view_t data;
+#if CONFIG_CROP
+        data_crop_t rows, cols;
+#endif
+    } data;
 } session_work_t;
 
 typedef struct session {
