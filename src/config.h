@@ -52,6 +52,11 @@
 #define CONFIG_CROP CONFIG_AREA
 #endif
 
+/* set logscale (0 or 1): 2 KB of flash. Without, plots are refused while it is set. */
+#ifndef CONFIG_LOGSCALE
+#define CONFIG_LOGSCALE CONFIG_AREA
+#endif
+
 /* if, do, while, `for`, and texts that are put together (0 or 1): 6 KB of flash. How many blocks may be open; how often
  * loops may go round before what was typed counts as caught in one. */
 #ifndef CONFIG_CONTROL

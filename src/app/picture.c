@@ -85,7 +85,7 @@ int picture_camera(picture_t *p, const num_t lo[3], const num_t hi[3]) {
         box.hi[k] = hi[k];
         box.reverse[k] = !box.solid && range[k]->reverse;
         if (s->view.from || box.solid) continue;
-        int err = autoscale_range(range[k], s->tics & SETTINGS_TICS_X << k, &box.lo[k], &box.hi[k]);
+        int err = autoscale_range(range[k], autoscale_tics(s, k), &box.lo[k], &box.hi[k]);
         if (err) return err;
     }
     bool base = s->border_base || (s->tics & (SETTINGS_TICS_X | SETTINGS_TICS_Y));

@@ -27,12 +27,12 @@ int picture_curves(picture_t *p, const pen_sink_t *pen) {
     const settings_t *s = plot->settings;
     num_t lo[2], hi[2];
     int err = measure(plot, lo, hi);
-    if (!err) err = autoscale_range(&s->x, s->tics & SETTINGS_TICS_X, &lo[0], &hi[0]);
-    if (!err) err = autoscale_range(&s->y, s->tics & SETTINGS_TICS_Y, &lo[1], &hi[1]);
+    if (!err) err = autoscale_range(&s->x, autoscale_tics(s, 0), &lo[0], &hi[0]);
+    if (!err) err = autoscale_range(&s->y, autoscale_tics(s, 1), &lo[1], &hi[1]);
     if (!err) err = camera_flat(&p->camera, s, lo, hi);
     if (err) return err;
     if (p->hooks && p->hooks->begin) p->hooks->begin(p->hooks->ctx, &p->camera);
-    flat_axes_setup(&p->axes, &p->camera.window, lo, hi);
+    flat_axes_setup(&p->axes, s, &p->camera.window, lo, hi);
     int64_t points = 0;
     for (int32_t k = 0; k < plot->n; k++) {
         flat_curve_setup(&p->curve[k], &p->axes, &plot->item[k].curve);

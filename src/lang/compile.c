@@ -206,8 +206,16 @@ static int name(compiler_t *c) {
     int p = assigned ? -1 : parameter(c, text, len);
     uint32_t start = c->e.len;
     if (p >= 0) {
+#if CONFIG_LOGSCALE
+        const num_t *base = p < 2 ? c->params->base[p] : NULL;
+        if (base) emit_constant(&c->e, value_real(*base));
+        start = c->e.len;
+#endif
         emit_byte(&c->e, OP_ARG + p);
         emit_pushed(&c->e, start, !c->params->any_kind);
+#if CONFIG_LOGSCALE
+        if (base) emit_binary(&c->e, OP_POW);
+#endif
         return 1;
     }
     int s = names_intern(c->e.l, SYMBOL_VARIABLE, text, len, column, c->err);
@@ -367,6 +375,16 @@ static int out_of_code(compiler_t *c, int32_t column) {
                                  (int32_t)emit_room(&c->e));
 }
 
+#if CONFIG_LOGSCALE
+static void take_logarithm(compiler_t *c, num_t base) {
+    emit_byte2(&c->e, OP_REAL1, builtins_find("log10", 5));
+    emit_operated(&c->e, 1, true, true);
+    if (num_cmp(base, num_from_i64(10)) == 0) return;
+    emit_constant(&c->e, value_real(num_double(func_log10(base))));
+    emit_binary(&c->e, OP_DIV);
+}
+#endif
+
 static int compile(compiler_t *c) {
     int state = 0;
     do {
@@ -375,6 +393,9 @@ static int compile(compiler_t *c) {
         if (c->e.len >= emit_room(&c->e)) return out_of_code(c, lexer_column(c->lx));
     } while (state != 2);
     reduce(c, LOOSE);
+#if CONFIG_LOGSCALE
+    if (c->params && c->params->result_base) take_logarithm(c, *c->params->result_base);
+#endif
     emit_byte(&c->e, OP_RET);
     if (emit_is_full(&c->e)) return out_of_code(c, lexer_column(c->lx));
     return 0;

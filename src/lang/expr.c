@@ -102,6 +102,9 @@ int expr_integer(lang_t *l, lexer_t *lx, int32_t lo, int32_t hi, int32_t *out, l
 static int parameter_list(lexer_t *lx, expr_params_t *params, lang_error_t *err) {
     params->count = 0;
     params->any_kind = true;
+#if CONFIG_LOGSCALE
+    params->base[0] = params->base[1] = params->result_base = NULL;
+#endif
     do {
         lexer_next(lx);
         if (lx->tok.kind != TOKEN_NAME || lx->tok.len > UINT8_MAX) return 0;

@@ -27,6 +27,9 @@ typedef struct expr_params {
         const char *text;
         uint8_t len;
     } name[EXPR_PARAMS];
+#if CONFIG_LOGSCALE
+    const num_t *base[2], *result_base; /* logarithmic axes: parameter i is a logarithm, or the result; NULL: not */
+#endif
     bool any_kind; /* arguments may be integers too: those of a user's function */
 } expr_params_t;
 

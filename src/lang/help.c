@@ -122,6 +122,9 @@ static const struct {
     {"halo",
      "set halo W [ends]: with set hidden3d halo, a line is interrupted for W mm to either side of a nearer one (0.5).\n"
      "ends: also where it only comes that close to a nearer line, beside it or beyond its end. 0 is no halo.\n"},
+#if CONFIG_LOGSCALE
+    {"log$scale", "set logscale [xyz] [BASE]: these axes, or all, are logarithmic. unset logscale [xyz]\n"},
+#endif
 #if CONFIG_PARAMETRIC
     {"pa$rametric", "set parametric; splot X, Y, Z: three expressions of u and v over urange and vrange\n"},
 #endif

@@ -22,8 +22,10 @@ typedef struct plot_item {
      */
     const char *title;
     int16_t title_len;
-    bool solid;      /* of PLOT_SOLIDS: mesh, otherwise surface */
-    bool cropped;    /* rows and cols end at the ranges of x and y, between two points of surface */
+    bool solid; /* of PLOT_SOLIDS: mesh, otherwise surface */
+#if CONFIG_CROP
+    bool cropped; /* rows and cols end at the ranges of x and y, between two points of surface */
+#endif
     bool parametric; /* this mesh is a surface: its axes are scaled as theirs */
 #if CONFIG_PARAMETRIC
     num_t extent[2][2]; /* of it along x and y, what is left out too: lo, hi */

@@ -1,4 +1,5 @@
 /* plot_items.c - from the elements of a plot command to surfaces and curves: over which ranges, how many points. */
+#include "lang/log_axes.h"
 #include "lang/session_parts.h"
 
 /* The extent of one set of data along x (k = 0) or y. */
@@ -40,6 +41,9 @@ static bool data_extent(session_t *s, int k, num_t out[2]) {
 static int function_range(session_t *s, int k, num_t *lo, num_t *hi) {
     const range_t *r = &s->plot.range[k];
     num_t all[2] = {num_from_i64(-10), num_from_i64(10)};
+#if CONFIG_LOGSCALE
+    log_axes_open_range(s, k, all);
+#endif
     data_extent(s, k, all);
     *lo = r->auto_lo ? all[0] : r->lo;
     *hi = r->auto_hi ? all[1] : r->hi;
@@ -127,7 +131,9 @@ int plot_items(session_t *s) {
             item->title = src->title;
             item->title_len = (int16_t)src->title_len; /* of a line of CONFIG_LINE_MAX bytes */
             const bool curved = session_is_curved(src) && g == src->grids;
+#if CONFIG_CROP
             item->cropped = false;
+#endif
             item->solid = src->solid || curved;
             item->parametric = src->parametric || curved;
 #if CONFIG_PARAMETRIC

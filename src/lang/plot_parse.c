@@ -1,6 +1,7 @@
 /* plot_parse.c - a whole plot command, checked and compiled before anything is read or drawn.
  *
  *     splot [x0:x1] [y0:y1] [z0:z1] f(x,y) with lines title 'f', 'file' using 1:2:($3*2) index 0, '-' matrix ... */
+#include "lang/log_axes.h"
 #include "lang/plot_options.h"
 #include "lang/session_parts.h"
 
@@ -50,6 +51,20 @@ static int compile(session_t *s, lexer_t *lx, const expr_params_t *params, expr_
 int plot_options_expression(session_t *s, lexer_t *lx, expr_t *out) {
     return compile(s, lx, NULL, out);
 }
+
+#if CONFIG_LOGSCALE
+#define NO_AXES "nonlinear axes are not supported"
+/* The bases of logarithmic axes that the code of an element needs; part: of a parametric one, or -1. */
+static expr_params_t with_bases(const session_t *s, enum plot_kind kind, const expr_params_t *params, int part) {
+    expr_params_t p = *params;
+    const int result = part >= 0 ? part : kind == PLOT_CURVES ? 1 : 2;
+    for (int k = 0; k < 2 && part < 0; k++) p.base[k] = s->log_base[k].m ? &s->log_base[k] : NULL;
+    p.result_base = s->log_base[result].m ? &s->log_base[result] : NULL;
+    return p;
+}
+#else
+#define NO_AXES "logarithmic axes are not supported; draw log10() of it"
+#endif
 
 /* One evaluation finds the names that are defined nowhere, before anything is drawn. */
 static int try_out(session_t *s, const session_source_t *src) {
@@ -205,7 +220,12 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
         for (int k = 0; k < (src->parametric ? 3 : 1); k++) {
             if (k > 0 && !lexer_accept(lx, ','))
                 return lexer_unexpected(lx, &s->error, "a parametric surface needs three expressions: x, y, z");
+#if CONFIG_LOGSCALE
+            const expr_params_t of_axes = with_bases(s, kind, params, src->parametric ? k : -1);
+            err = compile(s, lx, &of_axes, &out[k]);
+#else
             err = compile(s, lx, params, &out[k]);
+#endif
             if (err) return err;
             if (out[k].columns) return lang_error_set(&s->error, ERR_SYNTAX, src->column, "$ belongs into using");
         }
@@ -235,9 +255,11 @@ int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind) {
     s->plot.iterations = s->lang.iterations = 0;
     s->plot.texts_len = 0;
 #endif
-    if (s->logscale)
-        return session_fail(s, lx, ERR_UNSUPPORTED, "logarithmic axes are not supported; draw log10() of it");
+    if (s->logscale) return session_fail(s, lx, ERR_UNSUPPORTED, NO_AXES);
     int err = ranges(s, lx, kind, &params);
+#if CONFIG_LOGSCALE
+    if (!err) err = log_axes_ranges(s, &word);
+#endif
     if (err) return err;
     do {
         if (session_at_end(lx) && s->plot.sources > 0) break; /* a comma at the end, as gnuplot allows */

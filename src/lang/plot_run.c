@@ -1,6 +1,7 @@
 /* plot_run.c - carries out a parsed plot command: has its data read, its surfaces made, and all drawn.
  *
  * The command waits between the rows of inline data, so its progress (source[next]) is in the session. */
+#include "lang/log_axes.h"
 #include "lang/session_parts.h"
 
 int plot_fail(session_t *s, const session_source_t *src, int code, const char *message) {
@@ -41,7 +42,15 @@ static int draw(session_t *s) {
     int32_t seed[2] = {s->lang.seed[0], s->lang.seed[1]};
     swap_ranges(s);
     plot_t plot = {s->plot.kind, n, s->plot.item, &s->settings};
+#if CONFIG_LOGSCALE
+    log_axes_view_t view;
+    int err = log_axes_view(s, &view);
+    if (!err) err = s->port->plot(s->port->ctx, &plot);
+    log_axes_view_back(s, &view);
+    s->settings.log_axes = 0;
+#else
     int err = s->port->plot(s->port->ctx, &plot);
+#endif
     swap_ranges(s);
     s->lang.seed[0] = seed[0];
     s->lang.seed[1] = seed[1];

@@ -155,7 +155,10 @@ typedef struct session {
     texts_t texts;
     char scratch[CONFIG_NAME_MAX + 1];
 #endif
-    bool logscale;                                      /* set logscale, nonlinear */
+    bool logscale; /* set nonlinear; without CONFIG_LOGSCALE also set logscale */
+#if CONFIG_LOGSCALE
+    num_t log_base[3]; /* of x, y, z; 0: linear */
+#endif
     enum { AXES_XY, AXES_PARAMETRIC, AXES_POLAR } axes; /* set parametric, polar: what expressions mean */
 #if CONFIG_PARAMETRIC
     range_t uv[2]; /* set urange, vrange */

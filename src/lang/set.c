@@ -1,4 +1,5 @@
 /* set.c - `set`: which option, and the options that are one number or one text. */
+#include "lang/log_axes.h"
 #include "lang/session_parts.h"
 #include "scene/grid.h"
 
@@ -7,6 +8,9 @@ void set_reset(session_t *s) {
     s->separator = 0;
     s->axes = AXES_XY;
     s->logscale = false;
+#if CONFIG_LOGSCALE
+    log_axes_reset(s);
+#endif
 #if CONFIG_PARAMETRIC
     s->uv[0] = s->uv[1] = (range_t){.auto_lo = true, .auto_hi = true};
 #endif
@@ -121,12 +125,16 @@ static bool is_of_xyz(const lexer_t *lx) {
     return any;
 }
 
+static bool is_nonlinear(uint8_t id) {
+    return id == SET_NONLINEAR || (!CONFIG_LOGSCALE && id == SET_LOGSCALE);
+}
+
 /* What makes axes of another kind: on or off. Is it such an option? */
 bool set_axes(session_t *s, uint8_t id, bool on) {
-    if (id == SET_LOGSCALE) s->logscale = on;
+    if (is_nonlinear(id)) s->logscale = on;
     if (id == SET_POLAR) s->axes = on ? AXES_POLAR : AXES_XY;
     if (id == SET_PARAMETRIC) s->axes = on ? AXES_PARAMETRIC : AXES_XY;
-    return id == SET_LOGSCALE || id == SET_POLAR || id == SET_PARAMETRIC;
+    return is_nonlinear(id) || id == SET_POLAR || id == SET_PARAMETRIC;
 }
 
 int set_command(session_t *s, lexer_t *lx) {
@@ -167,6 +175,10 @@ int set_command(session_t *s, lexer_t *lx) {
         return set_hidden3d(s, lx);
     case SET_ISOSAMPLES:
         return set_pair(s, lx, set->isosamples, "isosamples must be between 2 and 65536");
+#if CONFIG_LOGSCALE
+    case SET_LOGSCALE:
+        return log_axes_set(s, lx, true);
+#endif
     case SET_MACHINE:
         return set_machine(s, lx);
     case SET_PAPER:
@@ -211,19 +223,22 @@ int set_command(session_t *s, lexer_t *lx) {
         } /* fall through */
     case SET_IGNORED:
     case SET_POLAR:
+    case SET_NONLINEAR:
+#if !CONFIG_LOGSCALE
     case SET_LOGSCALE:
+#endif
 #if !CONFIG_PARAMETRIC
     case SET_PARAMETRIC:
     case SET_URANGE:
     case SET_VRANGE:
 #endif
     case SET_FUNCTIONS: /* set function style, long gone from gnuplot */
-        if (words_set_id[index] == SET_LOGSCALE && is_of_xyz(lx)) {
+        if (is_nonlinear(words_set_id[index]) && is_of_xyz(lx)) {
             session_skip(lx);
             s->logscale = true; /* a picture without it would be another one: plots are refused */
             return 0;
         }
-        if (words_set_id[index] != SET_LOGSCALE) set_axes(s, words_set_id[index], true);
+        if (!is_nonlinear(words_set_id[index])) set_axes(s, words_set_id[index], true);
         session_warn_once(s, s->warned_set, index, "set ", &word, " is ignored");
         session_skip(lx);
         return 0;

@@ -65,6 +65,9 @@ typedef struct settings {
      * is autoscaled to whole ones, and a base plane with nothing on it does not count for the box. */
     bool border_base; /* any of the border's four lower edges */
     uint8_t tics;     /* enum settings_tics */
+#if CONFIG_LOGSCALE
+    uint8_t log_axes; /* of what is being plotted: bits 0 to 2: x, y, z are logarithms */
+#endif
     struct {
         int32_t width_um, height_um, margin_um; /* A4 landscape, margin 10 mm */
     } paper;

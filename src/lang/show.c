@@ -101,12 +101,31 @@ static void show_datafile(const session_t *s, text_t *t) {
     }
 }
 
+#if CONFIG_LOGSCALE
+static void show_logscale(const session_t *s, text_t *t) {
+    for (int k = 0; k < 3; k++) {
+        if (s->log_base[k].m == 0) continue;
+        char buf[VALUE_TEXT_MAX], word[] = "set logscale x ";
+        word[sizeof word - 3] = (char)('x' + k);
+        text_add(t, word);
+        value_format(value_real(s->log_base[k]), buf);
+        text_add(t, buf);
+        text_add(t, "\n");
+    }
+}
+#endif
+
 /* One option; false if there is nothing to tell. */
 static bool show_option(session_t *s, uint8_t id) {
     char buf[320];
     text_t t = text_start(buf, sizeof buf);
     const settings_t *set = &s->settings;
     switch (id) {
+#if CONFIG_LOGSCALE
+    case SET_LOGSCALE:
+        show_logscale(s, &t);
+        break;
+#endif
 #if CONFIG_PARAMETRIC
     case SET_PARAMETRIC:
         text_add(&t, s->axes == AXES_PARAMETRIC ? "set parametric\n" : "unset parametric\n");
@@ -219,10 +238,10 @@ static bool show_option(session_t *s, uint8_t id) {
 }
 
 int show_command(session_t *s, lexer_t *lx) {
-    static const uint8_t all[] = {SET_TITLE,      SET_XRANGE,   SET_YRANGE,    SET_ZRANGE,   SET_XYPLANE, SET_SAMPLES,
-                                  SET_ISOSAMPLES, SET_VIEW,     SET_HIDDEN3D,  SET_HALO,     SET_HATCH,   SET_LIGHT,
-                                  SET_SHADOW,     SET_CREASE,   SET_PEN,       SET_PAPER,    SET_MACHINE, SET_ANGLES,
-                                  SET_DUMMY,      SET_DATAFILE, SET_VARIABLES, SET_FUNCTIONS};
+    static const uint8_t all[] = {SET_TITLE,      SET_XRANGE,   SET_YRANGE,   SET_ZRANGE,    SET_XYPLANE,  SET_SAMPLES,
+                                  SET_ISOSAMPLES, SET_VIEW,     SET_HIDDEN3D, SET_HALO,      SET_HATCH,    SET_LIGHT,
+                                  SET_SHADOW,     SET_CREASE,   SET_PEN,      SET_PAPER,     SET_MACHINE,  SET_ANGLES,
+                                  SET_DUMMY,      SET_DATAFILE, SET_LOGSCALE, SET_VARIABLES, SET_FUNCTIONS};
     if (session_at_end(lx)) return lexer_unexpected(lx, &s->error, "an option expected; try `show all`");
     lexer_t word = *lx;
     bool plot = lexer_is_almost(lx, "p$lot");
@@ -234,7 +253,7 @@ int show_command(session_t *s, lexer_t *lx) {
     }
     lexer_next(lx);
     uint8_t id = words_set_id[index];
-    if (id == SET_IGNORED || id == SET_POLAR || id == SET_LOGSCALE ||
+    if (id == SET_IGNORED || id == SET_POLAR || id == SET_NONLINEAR || (!CONFIG_LOGSCALE && id == SET_LOGSCALE) ||
         (!CONFIG_PARAMETRIC && (id == SET_PARAMETRIC || id == SET_URANGE || id == SET_VRANGE))) {
         session_warn_once(s, s->warned_set, index, "show ", &word, ": this option is ignored here");
         session_skip(lx);

@@ -1,4 +1,5 @@
 /* unset.c - `unset`: an option as it was in the beginning. */
+#include "lang/log_axes.h"
 #include "lang/session_parts.h"
 
 int set_unset_command(session_t *s, lexer_t *lx) {
@@ -9,6 +10,9 @@ int set_unset_command(session_t *s, lexer_t *lx) {
     settings_t fresh;
     lexer_next(lx);
     uint8_t id = words_set_id[index];
+#if CONFIG_LOGSCALE
+    if (id == SET_LOGSCALE) return log_axes_set(s, lx, false);
+#endif
     if (set_axes(s, id, false)) {
         session_skip(lx);
         return 0;

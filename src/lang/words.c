@@ -159,7 +159,7 @@ _Static_assert(sizeof words_command_id <= WORDS_WARNED_STYLE, "a warning bit for
     WORD("mcbt$ics", SET_IGNORED)                                                                                      \
     WORD("mrt$ics", SET_IGNORED)                                                                                       \
     WORD("mtt$ics", SET_IGNORED)                                                                                       \
-    WORD("nonlin$ear", SET_LOGSCALE)                                                                                   \
+    WORD("nonlin$ear", SET_NONLINEAR)                                                                                  \
     WORD("obj$ect", SET_IGNORED)                                                                                       \
     WORD("of$fsets", SET_IGNORED)                                                                                      \
     WORD("or$igin", SET_IGNORED)                                                                                       \

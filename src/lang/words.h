@@ -57,9 +57,10 @@ enum set_id {
     SET_MACHINE,
     SET_PAPER,
     SET_PARAMETRIC,
-    SET_POLAR,    /* this and the next are ignored, but plots are refused while they are set */
-    SET_LOGSCALE, /* and nonlinear */
-    SET_URANGE,   /* these two are ignored without parametric surfaces */
+    SET_POLAR, /* this and the next are ignored, but plots are refused while they are set */
+    SET_LOGSCALE,
+    SET_NONLINEAR,
+    SET_URANGE, /* these two are ignored without parametric surfaces */
     SET_VRANGE,
     SET_SAMPLES,
     SET_STYLE,

@@ -141,6 +141,14 @@ static num_t part_value(data_reader_t *r, int32_t k) {
     return r->column[c];
 }
 
+static inline num_t converted(const data_spec_t *s, int axis, num_t v) {
+#if CONFIG_LOGSCALE
+    return s->convert ? s->convert(s->ctx, axis, v) : v;
+#else
+    return (void)s, (void)axis, v;
+#endif
+}
+
 /* One point of the wanted set: its columns are in place. */
 static int point(data_reader_t *r) {
     const data_spec_t *s = r->spec;
@@ -159,6 +167,8 @@ static int point(data_reader_t *r) {
             x = s->parts ? part_value(r, 0) : r->column[1];
         y = s->parts ? part_value(r, r->parts - 1) : r->column[r->parts];
         r->kept_point++;
+        x = converted(s, 0, x);
+        y = converted(s, 1, y);
         return data_curve_point(r->curve, x, y) ? refuse(r, DATA_FULL, 0) : 0;
     }
     if (r->parts == 1) {
@@ -175,7 +185,7 @@ static int point(data_reader_t *r) {
         z = r->column[3];
     }
     r->kept_point++;
-    return take(r, STEP_POINT, (const num_t[3]){x, y, z});
+    return take(r, STEP_POINT, (const num_t[3]){converted(s, 0, x), converted(s, 1, y), converted(s, 2, z)});
 }
 
 static uint64_t wanted_columns(const data_reader_t *r) {

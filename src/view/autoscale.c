@@ -11,7 +11,7 @@ static num_t power_of_ten_below(num_t v) {
     return num_cmp(p, v) > 0 ? num_from_decimal(1, exp10 - 1) : p;
 }
 
-num_t autoscale_step(num_t span) {
+static num_t linear_step(num_t span) {
     /* Upper limits of span / power for each step, in tenths: 20 / span gives the candidate positions in a decade. */
     static const struct {
         uint8_t below_tenths, step_hundredths;
@@ -24,6 +24,11 @@ num_t autoscale_step(num_t span) {
     return num_mul(power, num_from_i64(2));
 }
 
+num_t autoscale_step(num_t span, bool log) {
+    const num_t step = linear_step(span), one = num_from_i64(1);
+    return log && num_cmp(step, one) < 0 ? one : step;
+}
+
 static num_t round_down(num_t v, num_t step) {
     return num_mul(num_floor(num_div(v, step)), step);
 }
@@ -32,7 +37,7 @@ static num_t round_up(num_t v, num_t step) {
     return num_mul(num_ceil(num_div(v, step)), step);
 }
 
-int autoscale_range(const range_t *set, bool tics, num_t *lo, num_t *hi) {
+int autoscale_range(const range_t *set, enum autoscale_tics tics, num_t *lo, num_t *hi) {
     if (!set->auto_lo) *lo = set->lo;
     if (!set->auto_hi) *hi = set->hi;
     if (lo->undef || hi->undef) return ERR_VALUE;
@@ -43,8 +48,8 @@ int autoscale_range(const range_t *set, bool tics, num_t *lo, num_t *hi) {
         if (set->auto_lo) *lo = num_sub(*lo, widen);
         if (set->auto_hi) *hi = num_add(*hi, widen);
     }
-    if (!tics) return 0;
-    num_t step = autoscale_step(num_sub(*hi, *lo));
+    if (tics == AUTOSCALE_NONE) return 0;
+    const num_t step = tics == AUTOSCALE_LOG ? num_from_i64(1) : autoscale_step(num_sub(*hi, *lo), false);
     if (set->auto_lo) *lo = round_down(*lo, step);
     if (set->auto_hi) *hi = round_up(*hi, step);
     return 0;

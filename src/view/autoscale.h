@@ -9,10 +9,24 @@
 
 #include "lang/settings.h"
 
-/* The tic step for a span > 0. */
-num_t autoscale_step(num_t span);
+enum autoscale_tics {
+    AUTOSCALE_NONE,
+    AUTOSCALE_TICS,
+    AUTOSCALE_LOG, /* of logarithms: whole numbers */
+};
+
+/* Those of axis k: 0 x, 1 y, 2 z. */
+static inline enum autoscale_tics autoscale_tics(const settings_t *s, int k) {
+    if (!(s->tics & SETTINGS_TICS_X << k)) return AUTOSCALE_NONE;
+#if CONFIG_LOGSCALE
+    if (s->log_axes >> k & 1) return AUTOSCALE_LOG;
+#endif
+    return AUTOSCALE_TICS;
+}
+/* The tic step for a span > 0; of logarithms at least 1. */
+num_t autoscale_step(num_t span, bool log);
 /* *lo and *hi: the data's ends going in, the axis's ends coming out. A fixed end of `set` is taken as it is.
  * Returns 0 or ERR_VALUE when the range cannot be used (lo >= hi with both ends fixed). */
-int autoscale_range(const range_t *set, bool tics, num_t *lo, num_t *hi);
+int autoscale_range(const range_t *set, enum autoscale_tics tics, num_t *lo, num_t *hi);
 
 #endif

@@ -57,7 +57,8 @@ static bool frame_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, pag
     return true;
 }
 
-void flat_axes_setup(flat_axes_t *a, const page_window_t *window, const num_t lo[2], const num_t hi[2]) {
+void flat_axes_setup(flat_axes_t *a, const settings_t *s, const page_window_t *window, const num_t lo[2],
+                     const num_t hi[2]) {
     *a = (flat_axes_t){.window = *window};
     const int32_t size[2] = {window->x1_lat - window->x0_lat, window->y1_lat - window->y0_lat};
     for (int k = 0; k < 2; k++) {
@@ -65,7 +66,7 @@ void flat_axes_setup(flat_axes_t *a, const page_window_t *window, const num_t lo
         a->lo[k] = lo[k];
         a->hi[k] = hi[k];
         a->scale[k] = num_div(num_from_i64(size[k]), span);
-        a->step[k] = autoscale_step(span);
+        a->step[k] = autoscale_step(span, autoscale_tics(s, k) == AUTOSCALE_LOG);
         a->first[k] = num_mul(num_ceil(num_div(lo[k], a->step[k])), a->step[k]);
         num_t room = num_floor(num_div(num_sub(hi[k], a->first[k]), a->step[k]));
         a->tics[k] = (int32_t)num_to_fixed(room, 0, NULL) + 1;

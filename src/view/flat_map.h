@@ -28,7 +28,8 @@ typedef struct flat_curve {
 } flat_curve_t;
 
 /* lo < hi on both axes. window: the paper's printable part. */
-void flat_axes_setup(flat_axes_t *a, const page_window_t *window, const num_t lo[2], const num_t hi[2]);
+void flat_axes_setup(flat_axes_t *a, const settings_t *s, const page_window_t *window, const num_t lo[2],
+                     const num_t hi[2]);
 /* Emits the frame and its tics as pieces of surface number `surface`. */
 int flat_axes_draw(const flat_axes_t *a, uint8_t surface, const ink_sink_t *sink);
 /* curve and axes outlive c. */

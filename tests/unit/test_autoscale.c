@@ -35,7 +35,7 @@ static void agrees_with_gnuplot(void **state) {
     };
     for (size_t k = 0; k < sizeof CASES / sizeof CASES[0]; k++) {
         num_t lo = decimal(CASES[k].lo, CASES[k].exp10), hi = decimal(CASES[k].hi, CASES[k].exp10);
-        assert_int_equal(autoscale_range(&OPEN, true, &lo, &hi), 0);
+        assert_int_equal(autoscale_range(&OPEN, AUTOSCALE_TICS, &lo, &hi), 0);
         double scale = CASES[k].want_hi - CASES[k].want_lo;
         assert_float_equal((float)(to_double(lo) / scale), (float)(CASES[k].want_lo / scale), 1e-6);
         assert_float_equal((float)(to_double(hi) / scale), (float)(CASES[k].want_hi / scale), 1e-6);
@@ -46,7 +46,7 @@ static void keeps_fixed_ends(void **state) {
     (void)state;
     range_t low_fixed = {.auto_hi = true, .lo = decimal(5, -2)};
     num_t lo = decimal(0, 0), hi = decimal(1, 0);
-    assert_int_equal(autoscale_range(&low_fixed, true, &lo, &hi), 0);
+    assert_int_equal(autoscale_range(&low_fixed, AUTOSCALE_TICS, &lo, &hi), 0);
     assert_int_equal(num_cmp(lo, low_fixed.lo), 0);
     assert_float_equal((float)to_double(hi), 1.0f, 1e-6);
 }
@@ -54,7 +54,7 @@ static void keeps_fixed_ends(void **state) {
 static void stays_without_tics(void **state) {
     (void)state;
     num_t lo = decimal(411, -4), hi = decimal(3411, -4);
-    assert_int_equal(autoscale_range(&OPEN, false, &lo, &hi), 0);
+    assert_int_equal(autoscale_range(&OPEN, AUTOSCALE_NONE, &lo, &hi), 0);
     assert_int_equal(num_cmp(lo, decimal(411, -4)), 0);
     assert_int_equal(num_cmp(hi, decimal(3411, -4)), 0);
 }
@@ -63,9 +63,9 @@ static void refuses_empty_ranges(void **state) {
     (void)state;
     range_t same = {.lo = decimal(2, 0), .hi = decimal(2, 0)}, above = {.auto_hi = true, .lo = decimal(9, 0)};
     num_t lo = decimal(0, 0), hi = decimal(1, 0);
-    assert_int_equal(autoscale_range(&same, true, &lo, &hi), ERR_VALUE);
+    assert_int_equal(autoscale_range(&same, AUTOSCALE_TICS, &lo, &hi), ERR_VALUE);
     lo = decimal(0, 0), hi = decimal(1, 0);
-    assert_int_equal(autoscale_range(&above, true, &lo, &hi), ERR_VALUE);
+    assert_int_equal(autoscale_range(&above, AUTOSCALE_TICS, &lo, &hi), ERR_VALUE);
 }
 
 int main(void) {
