@@ -5,16 +5,9 @@
  * begins. The unit is then one power of the base, which is what axes with tics are rounded outward to. */
 #include "lang/log_axes.h"
 #include "lang/session_parts.h"
-#include "num/func.h"
+#include "scene/log_scale.h"
 
 #if CONFIG_LOGSCALE
-num_t log_axes_value(num_t base, num_t v) {
-    if (base.m == 0 || v.undef) return v;
-    if (num_sign(v) <= 0) return num_undef();
-    const num_t log = func_log10(v);
-    return num_cmp(base, num_from_i64(10)) == 0 ? log : num_div(log, func_log10(base));
-}
-
 /* Names of axes in one word, as in xy or zcb; *mask gets those that are drawn. */
 static int names(session_t *s, const lexer_t *lx, uint8_t *mask) {
     static const char others[] = "x2\0y2\0cb\0r\0";
@@ -68,16 +61,16 @@ int log_axes_ranges(session_t *s, const lexer_t *at) {
         if (!r->auto_lo && num_sign(r->lo) <= 0) r->lo = num_from_decimal(1, -1);
         if (!r->auto_hi && (num_sign(r->hi) <= 0 || (!r->auto_lo && num_cmp(r->lo, r->hi) >= 0)))
             return session_fail(s, at, ERR_VALUE, "a logarithmic axis has no values but above 0; see its range");
-        if (!r->auto_lo) r->lo = log_axes_value(base, r->lo);
-        if (!r->auto_hi) r->hi = log_axes_value(base, r->hi);
+        if (!r->auto_lo) r->lo = log_scale(base, r->lo);
+        if (!r->auto_hi) r->hi = log_scale(base, r->hi);
     }
     return 0;
 }
 
 void log_axes_open_range(const session_t *s, int k, num_t range[2]) {
     if (s->log_base[k].m == 0) return;
-    range[0] = log_axes_value(s->log_base[k], num_from_decimal(1, -1));
-    range[1] = log_axes_value(s->log_base[k], range[1]);
+    range[0] = log_scale(s->log_base[k], num_from_decimal(1, -1));
+    range[1] = log_scale(s->log_base[k], range[1]);
 }
 
 int log_axes_view(session_t *s, log_axes_view_t *was) {
@@ -86,12 +79,12 @@ int log_axes_view(session_t *s, log_axes_view_t *was) {
     for (int k = 0; k < 3; k++) {
         was->eye[k] = set->view.eye[k];
         was->to[k] = set->view.to[k];
-        set->view.eye[k] = log_axes_value(s->log_base[k], set->view.eye[k]);
-        set->view.to[k] = log_axes_value(s->log_base[k], set->view.to[k]);
+        set->view.eye[k] = log_scale(s->log_base[k], set->view.eye[k]);
+        set->view.to[k] = log_scale(s->log_base[k], set->view.to[k]);
         good &= !set->view.from || (!set->view.eye[k].undef && (!set->view.has_to || !set->view.to[k].undef));
     }
     was->xyplane = set->xyplane;
-    if (set->xyplane_at) set->xyplane = log_axes_value(s->log_base[2], set->xyplane);
+    if (set->xyplane_at) set->xyplane = log_scale(s->log_base[2], set->xyplane);
     return good && !set->xyplane.undef ? 0 : ERR_VALUE;
 }
 

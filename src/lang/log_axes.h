@@ -5,8 +5,6 @@
 #include "lang/session.h"
 
 #if CONFIG_LOGSCALE
-/* The logarithm of v; v itself if the base is 0: a linear axis. Undefined at 0 and below. */
-num_t log_axes_value(num_t base, num_t v);
 /* What follows `set logscale`, or `unset logscale`; all axes are linear. */
 int log_axes_set(session_t *s, lexer_t *lx, bool on);
 void log_axes_reset(session_t *s);

@@ -1,5 +1,4 @@
 /* plot_data.c - from a file or inline rows of a plot command to grids, curves or solids in the session's pool. */
-#include "lang/log_axes.h"
 #include "lang/plot_options.h"
 #include "lang/session_parts.h"
 
@@ -19,13 +18,6 @@ static num_t compute(void *ctx, int32_t part) {
     if (err && !s->plot.data_error) s->plot.data_error = err;
     return value_num(v);
 }
-
-#if CONFIG_LOGSCALE
-static num_t convert(void *ctx, int axis, num_t v) {
-    const session_t *s = ctx;
-    return log_axes_value(s->log_base[axis], v);
-}
-#endif
 
 /* What is not supported in a file of solids. */
 static void notice(void *ctx, int32_t line, const char *text, int32_t len) {
@@ -72,7 +64,7 @@ int plot_data_start(session_t *s, session_source_t *src, bool inline_data, int32
     src->spec.compute = compute;
     src->spec.ctx = s;
 #if CONFIG_LOGSCALE
-    src->spec.convert = s->settings.log_axes ? convert : NULL;
+    src->spec.log_base = s->settings.log_axes ? s->log_base : NULL;
 #endif
     s->lang.column = column_value;
     s->lang.column_ctx = s;

@@ -4,12 +4,12 @@
 
 #if CONFIG_CROP
 /* Coordinate along the lines of point k of them, uncut. */
-static num_t along(data_crop_t *c, int32_t k) {
-    return c->along_y ? c->from.y_of(&c->all, k) : c->from.x_of(&c->all, k);
+static num_t along(const data_crop_t *c, int32_t k) {
+    return c->along_y ? data_view_y(&c->all, k) : data_view_x(&c->all, k);
 }
 
-static num_t height(data_crop_t *c, int32_t line, int32_t k) {
-    return c->along_y ? c->from.z_of(&c->all, line, k) : c->from.z_of(&c->all, k, line);
+static num_t height(const data_crop_t *c, int32_t line, int32_t k) {
+    return c->along_y ? data_view_z(&c->all, line, k) : data_view_z(&c->all, k, line);
 }
 
 /* Which end of the line point k is, if it is cut there, or -1. */
@@ -18,23 +18,23 @@ static int cut_end(const data_crop_t *c, int32_t k) {
     return end >= 0 && !c->end[end].undef ? end : -1;
 }
 
-static num_t place(data_crop_t *c, int32_t k) {
+static num_t place(const data_crop_t *c, int32_t k) {
     const int end = cut_end(c, k);
     return end >= 0 ? c->end[end] : along(c, c->first + k);
 }
 
 static num_t x_of(void *ctx, int32_t i) {
-    data_crop_t *c = ctx;
-    return c->along_y ? c->from.x_of(&c->all, i) : place(c, i);
+    const data_crop_t *c = ctx;
+    return c->along_y ? data_view_x(&c->all, i) : place(c, i);
 }
 
 static num_t y_of(void *ctx, int32_t j) {
-    data_crop_t *c = ctx;
-    return c->along_y ? place(c, j) : c->from.y_of(&c->all, j);
+    const data_crop_t *c = ctx;
+    return c->along_y ? place(c, j) : data_view_y(&c->all, j);
 }
 
 static num_t z_of(void *ctx, int32_t i, int32_t j) {
-    data_crop_t *c = ctx;
+    const data_crop_t *c = ctx;
     const int32_t line = c->along_y ? i : j, k = c->first + (c->along_y ? j : i);
     const int end = cut_end(c, k - c->first);
     const num_t z = height(c, line, k);
@@ -49,11 +49,12 @@ static num_t z_of(void *ctx, int32_t i, int32_t j) {
 int data_crop_lines(const data_grid_t *g, const num_t *x_lim, const num_t *y_lim, const num_t *at, bool along_y,
                     data_crop_t *c, surface_t *out) {
     const num_t *lim = along_y ? y_lim : x_lim;
-    int err = data_grid_surface(g, along_y ? x_lim : NULL, along_y ? NULL : y_lim, &c->all, &c->from);
+    surface_t whole;
+    int err = data_grid_surface(g, along_y ? x_lim : NULL, along_y ? NULL : y_lim, &c->all, &whole);
     if (err) return err;
     c->along_y = along_y;
     c->end[0] = c->end[1] = num_undef();
-    const int32_t all = along_y ? c->from.ny : c->from.nx;
+    const int32_t all = along_y ? whole.ny : whole.nx;
     int32_t first = 0, last = all - 1;
     while (lim && first <= last && num_cmp(along(c, first), lim[0]) < 0) first++;
     while (lim && last >= first && num_cmp(along(c, last), lim[1]) > 0) last--;
@@ -68,7 +69,7 @@ int data_crop_lines(const data_grid_t *g, const num_t *x_lim, const num_t *y_lim
     }
     c->first = first;
     c->n = last - first + 1;
-    *out = (surface_t){.ctx = c, .x_of = x_of, .y_of = y_of, .z_of = z_of, .nx = c->from.nx, .ny = c->from.ny};
+    *out = (surface_t){.ctx = c, .x_of = x_of, .y_of = y_of, .z_of = z_of, .nx = whole.nx, .ny = whole.ny};
     *(along_y ? &out->ny : &out->nx) = c->n;
     return c->n < 2 ? ERR_EMPTY : 0;
 }

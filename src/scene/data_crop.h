@@ -11,9 +11,8 @@
 
 typedef struct data_crop {
     data_view_t all; /* without limits along the lines, with those across them */
-    surface_t from;  /* of it */
     bool along_y;
-    int32_t first; /* the point of `from` that is 0 here, along the lines */
+    int32_t first; /* the point of them that is 0 here, along the lines */
     num_t end[2];  /* where the first and the last edge are cut; undefined: not */
     int32_t n;     /* points of a line */
 } data_crop_t;

@@ -155,19 +155,28 @@ int data_grid_finish(data_grid_t *g, enum data_grid_trouble *trouble) {
     return g->outer_n < 2 ? refuse(DATA_TOO_SMALL, trouble) : 0;
 }
 
-static num_t x_of(void *ctx, int32_t i) {
-    const data_view_t *v = ctx;
+num_t data_view_x(const data_view_t *v, int32_t i) {
     return packed_num(v->x[(int64_t)i * v->x_step]);
 }
 
-static num_t y_of(void *ctx, int32_t j) {
-    const data_view_t *v = ctx;
+num_t data_view_y(const data_view_t *v, int32_t j) {
     return packed_num(v->y[(int64_t)j * v->y_step]);
 }
 
-static num_t z_of(void *ctx, int32_t i, int32_t j) {
-    const data_view_t *v = ctx;
+num_t data_view_z(const data_view_t *v, int32_t i, int32_t j) {
     return packed_num(v->z[i * v->step_i + j * v->step_j]);
+}
+
+static num_t x_of(void *ctx, int32_t i) {
+    return data_view_x(ctx, i);
+}
+
+static num_t y_of(void *ctx, int32_t j) {
+    return data_view_y(ctx, j);
+}
+
+static num_t z_of(void *ctx, int32_t i, int32_t j) {
+    return data_view_z(ctx, i, j);
 }
 
 /* Narrows the n increasing coordinates c[0], c[step], ... to those in lim: the first of them, and how many in *n. */

@@ -72,5 +72,9 @@ typedef struct data_view {
     int32_t x_step, y_step; /* +1 or -1 */
 } data_view_t;
 int data_grid_surface(const data_grid_t *g, const num_t *x_lim, const num_t *y_lim, data_view_t *v, surface_t *out);
+/* Of the same surface. */
+num_t data_view_x(const data_view_t *v, int32_t i);
+num_t data_view_y(const data_view_t *v, int32_t j);
+num_t data_view_z(const data_view_t *v, int32_t i, int32_t j);
 
 #endif

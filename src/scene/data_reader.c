@@ -1,6 +1,7 @@
 /* data_reader.c - what rows, blank lines and matrices mean; the characters are field.c's, the grid data_grid.c's. */
 #include "scene/data_reader.h"
 #include "error.h"
+#include "scene/log_scale.h"
 
 void data_spec_default(data_spec_t *spec) {
     *spec = (data_spec_t){.set_step = 1, .last_set = INT32_MAX};
@@ -143,7 +144,7 @@ static num_t part_value(data_reader_t *r, int32_t k) {
 
 static inline num_t converted(const data_spec_t *s, int axis, num_t v) {
 #if CONFIG_LOGSCALE
-    return s->convert ? s->convert(s->ctx, axis, v) : v;
+    return s->log_base ? log_scale(s->log_base[axis], v) : v;
 #else
     return (void)s, (void)axis, v;
 #endif

@@ -37,7 +37,7 @@ typedef struct data_spec {
     int32_t first_set, last_set, set_step;                                            /* index: 0, INT32_MAX, 1 */
     int32_t point_step, block_step, first_point, first_block, last_point, last_block; /* every: 1,1,0,0,MAX,MAX */
 #if CONFIG_LOGSCALE
-    num_t (*convert)(void *ctx, int axis, num_t v); /* what is drawn at v, or NULL: v; axis 0 x, 1 y, 2 z */
+    const num_t *log_base; /* [3], as log_scale() has it: x, y and z are logarithms; or NULL */
 #endif
     /* Computes part number `part` (0..2); reader->column[] holds the row. */
     num_t (*compute)(void *ctx, int32_t part);
