@@ -54,6 +54,9 @@ typedef struct area_sink {
     /* A visible part of a line that no polygon ends in: free segments, edges of faces that are seen edge-on. From and
      * to are fractions of what of it is in front of the eye. */
     int (*wire)(void *ctx, int32_t edge, int32_t from_q30, int32_t to_q30);
+    /* Wires of an edge follow that take the place of what polygons ended in it: those of one of its faces end roughly
+     * (area_wires.h, AREA_ROUGH). May be NULL: then there are none. */
+    void (*again)(void *ctx, int32_t edge);
     int32_t window_faces; /* most polygons in a window of the screen subdivision; 0: what was found to be best;
                              INT32_MAX: one window, with as many pieces as the memory takes */
 } area_sink_t;

@@ -79,6 +79,11 @@ static int take_wire(void *ctx, int32_t edge, int32_t from_q30, int32_t to_q30) 
     return intervals_add(ink->edges, edge, from_q30, to_q30);
 }
 
+static void forget(void *ctx, int32_t edge) {
+    edge_ink_t *ink = ctx;
+    intervals_drop(ink->edges, edge);
+}
+
 static int32_t least(void *ctx, int32_t line) {
     edge_ink_t *ink = ctx;
     area_edge_t e;
@@ -142,7 +147,7 @@ int area_draw(const solid_map_t *m, const area_tone_t *tone, const ink_sink_t *b
     _Static_assert(INTERVALS_SHARES == 2, "a share for each");
     int err = 0;
     if (tone) err = area_toner_make(&ink.toner, tone, m, mem + sort_bytes, tone_bytes, mem, sort_bytes);
-    const area_sink_t sink = {.ctx = &ink, .polygon = take_polygon, .wire = take_wire};
+    const area_sink_t sink = {.ctx = &ink, .polygon = take_polygon, .wire = take_wire, .again = forget};
     if (!err && ink.clear) { /* all that is seen as if nothing translucent were there */
         solid_map_t through = *m;
         through.through = true;

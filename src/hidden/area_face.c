@@ -21,7 +21,7 @@ area_box_t area_box_of(const poly_vertex_t *v, int32_t n) {
 
 bool area_is_thin(const poly_t *p, const area_box_t *box) {
     int64_t area2 = poly_area2(p);
-    return (area2 < 0 ? -area2 : area2) <= 8 * ((int64_t)box->x1 - box->x0 + box->y1 - box->y0);
+    return (area2 < 0 ? -area2 : area2) <= 2 * AREA_THIN * ((int64_t)box->x1 - box->x0 + box->y1 - box->y0);
 }
 
 /* Which edge of the scene runs from each corner of a face to the next. */
@@ -40,6 +40,21 @@ static void find_edges(const solid_t *s, int32_t *corner_edge) {
             }
         }
     }
+}
+
+/* Is a corner's angle below 1 / SHARP? Where that is, its sides are closer to each other than area_weld.h makes one for
+ * a thousand units, a tenth of a step, or more. */
+#define SHARP 128
+static bool is_sharp(const poly_vertex_t *v, int32_t n) {
+    poly_point_t a = v[n - 1].at;
+    for (int32_t k = 0; k < n; k++) {
+        const poly_point_t b = v[k].at, c = v[k + 1 < n ? k + 1 : 0].at;
+        const int64_t ax = (int64_t)a.x - b.x, ay = (int64_t)a.y - b.y, cx = (int64_t)c.x - b.x,
+                      cy = (int64_t)c.y - b.y, dot = ax * cx / 2 + ay * cy / 2, cross = ax * cy / 2 - ay * cx / 2;
+        if (dot > 0 && ints_abs64(cross) < (uint64_t)dot / SHARP) return true;
+        a = b;
+    }
+    return false;
 }
 
 /* How much the depth of a face of this slope may be off at depth z: SOLID_FLAT units of the scene across its plane. */
@@ -217,7 +232,8 @@ int area_faces_make(area_faces_t *faces, int32_t *corner_edge, uint8_t *state, a
         f->box = area_box_of(v, n);
         const poly_t whole = {v, &f->n, 1};
         if (area_is_thin(&whole, &f->box) || (f->deep && is_line(m, k))) continue;
-        state[k] = AREA_TAKES_PART;
+        f->sharp = !f->holed && is_sharp(v, n);
+        state[k] = AREA_TAKES_PART; /* maybe AREA_ROUGH later */
         faces->vertices += n;
         faces->n++;
     }

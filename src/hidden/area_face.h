@@ -12,7 +12,9 @@ static inline bool area_boxes_meet(const area_box_t *a, const area_box_t *b) {
     return a->x0 < b->x1 && b->x0 < a->x1 && a->y0 < b->y1 && b->y0 < a->y1;
 }
 area_box_t area_box_of(const poly_vertex_t *v, int32_t n);
-/* No wider than a few units: the seam of two faces as rounding leaves it, or a face seen edge-on. */
+/* No wider than welds close from both sides (area_weld.c): the seam of two faces as rounding leaves it, or a face seen
+ * edge-on. */
+#define AREA_THIN 16
 bool area_is_thin(const poly_t *p, const area_box_t *box);
 
 typedef struct area_face {
@@ -24,6 +26,7 @@ typedef struct area_face {
     int64_t slope, slack; /* area_plane_slope(); area_slack() at z_near */
     bool deep;            /* its slack differs much from place to place */
     bool holed;           /* then edges of it may cancel each other */
+    bool sharp;           /* a corner of it is so pointed that what welds close is long */
     bool on_stack;
 } area_face_t;
 

@@ -1,6 +1,7 @@
 /* area_sort.c - see area.h: the sort itself, in one window. */
 #include "hidden/area_sort.h"
 #include "hidden/area_weld.h"
+#include "hidden/area_wires.h"
 
 #include "error.h"
 #include "num/ints.h"
@@ -13,28 +14,63 @@ enum { BEHIND, TOGETHER, IN_FRONT, THROUGH };
  * beyond the edge where two faces meet. */
 #define LEAST_THROUGH 16
 
-/* Where the polygon p of face `of` is to face `than`. Where they differ most decides. In one plane they hide nothing of
- * each other. */
+/* Does the line where two planes meet run so nearly along an edge of p that is cut there that being off by so many
+ * units moves the end of that edge by a tenth of a step or more? */
+#define TENTH_OF_A_STEP 1280
+static bool is_flat_cut(const poly_t *p, const area_plane_t *apart, int64_t units) {
+    const uint64_t slope = (uint64_t)area_plane_slope(apart);
+    for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++])
+        for (int32_t k = first; k < p->end[c]; k++) {
+            const poly_point_t a = p->v[k].at, b = p->v[k + 1 < p->end[c] ? k + 1 : first].at;
+            if (p->v[k].tag < 0) continue;
+            const int64_t at_a = area_plane_at(apart, a), at_b = area_plane_at(apart, b);
+            if ((at_a > 0) == (at_b > 0)) continue;
+            const uint64_t dx = ints_abs64((int64_t)b.x - a.x), dy = ints_abs64((int64_t)b.y - a.y);
+            const uint64_t a_unit = (ints_abs64(at_a) + ints_abs64(at_b)) / (dx > dy ? dx : dy);
+            if (units >= TENTH_OF_A_STEP || a_unit < slope / TENTH_OF_A_STEP * (uint64_t)units) return true;
+        }
+    return false;
+}
+
+static void roughen(area_t *a, const area_face_t *f) {
+    if (!f->holed) a->state[f->face] = AREA_ROUGH;
+}
+
+/* A polygon p of face s is cut by face c, or all but: so many units off, of what depth may be off. */
+static void look_at_cut(area_t *a, const poly_t *p, const area_face_t *s, const area_face_t *c,
+                        const area_plane_t *apart, int64_t slack) {
+    const int64_t units = LEAST_THROUGH + slack / area_plane_slope(apart);
+    const poly_t whole = {a->faces.vertex + c->first, &c->n, 1};
+    if (is_flat_cut(p, apart, units)) roughen(a, s);
+    if (is_flat_cut(&whole, apart, units)) roughen(a, c);
+}
+
+/* Where the polygon p of face `of` is to face `than`. Where they differ most decides, of the corners where they differ
+ * by more than what either may be off there. In one plane they hide nothing of each other. */
 static int compare(area_t *a, const poly_t *p, int32_t of, int32_t than) {
     const area_face_t *s = &a->faces.face[of], *c = &a->faces.face[than];
     const area_plane_t apart = area_plane_minus(&c->plane, &s->plane);
-    int64_t front = 0, behind = 0, nearest = 0;
+    const bool deep = s->deep || c->deep;
+    int64_t through = area_plane_slope(&apart), slack = s->slack + c->slack;
+    int64_t front = 0, behind = 0;
+    bool clearly_front = false, clearly_behind = false, maybe_front = false, maybe_behind = false;
+    through = through > INT64_MAX / (4 * LEAST_THROUGH) ? INT64_MAX / 4 : through * LEAST_THROUGH;
     for (int32_t k = 0; k < poly_vertices(p); k++) {
-        int64_t d = area_plane_at(&apart, p->v[k].at);
-        if (d > front) front = d;
-        if (-d > behind) behind = -d;
-        if (!s->deep && !c->deep) continue;
-        int64_t z = area_plane_at(&s->plane, p->v[k].at);
-        nearest = z < nearest ? z : nearest;
+        const int64_t d = area_plane_at(&apart, p->v[k].at);
+        if (deep) {
+            const int64_t z = area_plane_at(&s->plane, p->v[k].at), near = z < 0 ? z : 0;
+            slack = area_slack(&a->faces.lattice, s, near) + area_slack(&a->faces.lattice, c, near);
+        }
+        if (d > slack && d > front) front = d;
+        if (-d > slack && -d > behind) behind = -d;
+        maybe_front |= d > through;
+        maybe_behind |= -d > through;
+        clearly_front |= d > slack && d - slack > through;
+        clearly_behind |= -d > slack && -d - slack > through;
     }
-    int64_t slack = area_slack(&a->faces.lattice, s, nearest) + area_slack(&a->faces.lattice, c, nearest);
-    if (front <= slack && behind <= slack) return TOGETHER;
-    if (front > slack && behind > slack) {
-        int64_t through = area_plane_slope(&apart);
-        through = through > INT64_MAX / (4 * LEAST_THROUGH) ? INT64_MAX / 4 : through * LEAST_THROUGH;
-        if (front > slack + through && behind > slack + through) return THROUGH;
-    }
-    return front > behind ? IN_FRONT : BEHIND;
+    if (maybe_front && maybe_behind) look_at_cut(a, p, s, c, &apart, slack);
+    if (clearly_front && clearly_behind) return THROUGH;
+    return front == behind ? TOGETHER : front > behind ? IN_FRONT : BEHIND;
 }
 
 int32_t area_half_of(const area_box_t *box, const area_plane_t *plane, poly_vertex_t v[8]) {
@@ -103,6 +139,8 @@ static int clip_piece(area_t *a, int32_t piece, int32_t by, area_list_t *in, are
     }
     int err = area_weld(&w, &subject, &pool->piece[piece].box, &whole, &f->box, a->clip_mem, a->clip_bytes, &used);
     if (err) return err;
+    if (w.changed && f->sharp) roughen(a, f);
+    if (w.changed && a->faces.face[face].sharp) roughen(a, &a->faces.face[face]);
     if (w.changed) err = keep_front(a, piece, by, in);
     if (err) return err;
     const clip_job_t job = {w.subject, w.clip, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_OUTSIDE}};

@@ -51,14 +51,20 @@ static int32_t crossings(const wire_t *w, const poly_vertex_t *v, int32_t corner
     return n;
 }
 
+static int64_t depth(const wire_t *w, int32_t t_q30) {
+    const area_fine_t *f = w->line.fine;
+    return f[0].z + ints_muldiv_round(f[1].z - f[0].z, t_q30, INK_ONE);
+}
+
 /* Adds what the face hides between two crossings. */
 static int hide(const area_lattice_t *l, const wire_t *w, const area_face_t *f, int32_t from, int32_t to,
                 intervals_t *hidden) {
     const apart_t by = apart(w, f);
-    int64_t nearest = w->line.fine[0].z < w->line.fine[1].z ? w->line.fine[0].z : w->line.fine[1].z;
-    int64_t slack = area_slack(l, f, nearest), at_from = behind(&by, from), at_to = behind(&by, to);
-    if (from >= to || (at_from <= slack && at_to <= slack)) return 0;
-    if ((at_from > slack && at_to < -slack) || (at_from < -slack && at_to > slack)) { /* it goes through */
+    const int64_t slack_from = area_slack(l, f, depth(w, from)), slack_to = area_slack(l, f, depth(w, to));
+    const int64_t at_from = behind(&by, from), at_to = behind(&by, to);
+    if (from >= to || (at_from <= slack_from && at_to <= slack_to)) return 0;
+    if ((at_from > slack_from && at_to < -slack_to) || (at_from < -slack_from && at_to > slack_to)) {
+        /* it goes through */
         int32_t middle = from + (int32_t)ints_muldiv_round(to - from, at_from, at_from - at_to);
         *(at_from > 0 ? &to : &from) = middle;
     }
@@ -139,12 +145,18 @@ static int draw(const area_faces_t *faces, int32_t edge, int32_t on, wire_memory
     return err ? err : show_up_to(&use, &end);
 }
 
-/* Is there a polygon, or one on the far side of a body, that answers for this line? */
-static bool is_answered_for(const solid_t *s, int32_t edge, const uint8_t *state) {
+/* Who answers for an edge: a polygon, or one on the far side of a body; nobody; polygons that end in it roughly. */
+enum { POLYGONS, NOBODY, ROUGHLY };
+static int who_answers_for(const solid_t *s, int32_t edge, const uint8_t *state) {
+    int who = NOBODY;
     for (int32_t e = edge; e >= 0; e = s->edge[e].twin)
-        for (int side = 0; side < 2; side++)
-            if (s->edge[e].face[side] >= 0 && state[s->edge[e].face[side]] != AREA_LEFT_OUT) return true;
-    return false;
+        for (int side = 0; side < 2; side++) {
+            if (s->edge[e].face[side] < 0) continue;
+            const uint8_t of = state[s->edge[e].face[side]];
+            if (of == AREA_ROUGH) return ROUGHLY;
+            if (of != AREA_LEFT_OUT) who = POLYGONS;
+        }
+    return who;
 }
 
 int area_wires(const area_faces_t *faces, const uint8_t *state, void *mem, size_t bytes, const area_sink_t *sink) {
@@ -157,7 +169,10 @@ int area_wires(const area_faces_t *faces, const uint8_t *state, void *mem, size_
     m.scratch = (uint8_t *)mem + 2 * third;
     m.scratch_bytes = third;
     for (int32_t e = 0; e < s->ne; e++) {
-        if (s->edge[e].first != e || solid_is_cut(&s->edge[e]) || is_answered_for(s, e, state)) continue;
+        if (s->edge[e].first != e || solid_is_cut(&s->edge[e])) continue;
+        const int who = who_answers_for(s, e, state);
+        if (who == POLYGONS || (who == ROUGHLY && !sink->again)) continue;
+        if (who == ROUGHLY) sink->again(sink->ctx, e);
         int err = draw(faces, e, -1, &m, sink);
         if (err) return err;
     }

@@ -42,6 +42,13 @@ int intervals_add(intervals_t *s, int32_t line, int32_t from_q30, int32_t to_q30
     return 0;
 }
 
+void intervals_drop(intervals_t *s, int32_t line) {
+    int32_t n = 0;
+    for (int32_t k = 0; k < s->n; k++)
+        if (s->part[k].line != line) s->part[n++] = s->part[k];
+    s->n = n;
+}
+
 /* The parts of s united, and gaps up to the least closed: those that intervals_finish gives, and crumbs. */
 static void close_gaps(intervals_t *s, const interval_use_t *use) {
     int32_t n = 0;

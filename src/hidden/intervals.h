@@ -23,6 +23,9 @@ void intervals_init(intervals_t *s, void *mem, size_t bytes);
 /* Returns 0 or ERR_FULL. Nothing happens if from >= to. */
 int intervals_add(intervals_t *s, int32_t line, int32_t from_q30, int32_t to_q30);
 
+/* Takes out all parts of a line. */
+void intervals_drop(intervals_t *s, int32_t line);
+
 /* What intervals_finish does with a line. */
 typedef struct interval_use {
     void *ctx;

@@ -233,6 +233,23 @@ static void test_found(void **state) {
         {SOLID_LAW_MIRROR, true, 15300259818},
         /* a needle's tip behind a plate, no wider than a weld, which put it beside the wall that it hides */
         {SOLID_LAW_REFINE, true, 16100182369},
+        /* a sliver of five units that a weld closed: nothing hid it */
+        {SOLID_LAW_FRONT, true, 16704678465},
+        /* faces that come close to the eye, cut through far from it: by less than either may be off near the eye */
+        {SOLID_LAW_REFINE, true, 16104670831},
+        {SOLID_LAW_BEHIND, true, 16504675116},
+        /* faces seen nearly edge-on that are cut through: rounding moved the ends of their edges by steps */
+        {SOLID_LAW_REFINE, true, 16100093489},
+        {SOLID_LAW_BEHIND, true, 16500090185},
+        {SOLID_LAW_BEHIND, true, 16500106253},
+        {SOLID_LAW_BEHIND, true, 16504671108},
+        /* needles, whose points welds closed */
+        {SOLID_LAW_REFINE, true, 16104666287},
+        {SOLID_LAW_REFINE, true, 16100117613},
+        /* one that is cut by less than what its depth may be off */
+        {SOLID_LAW_REFINE, true, 16100006440},
+        {SOLID_LAW_BEHIND, true, 16521019997},
+        {SOLID_LAW_FRONT, true, 16721024047},
     };
     (void)state;
     for (size_t k = 0; k < sizeof found / sizeof *found; k++) {

@@ -60,7 +60,8 @@ static double measure(const environment_t *e, int n, bool whole, bool quick, are
     int err = solid_stage_make(&stage, &scene, true);
     const size_t bytes = whole ? 40 * stage.bytes : stage.bytes;
     void *mem = malloc(bytes);
-    const area_sink_t sink = {vertices, count, no_wire, whole ? INT32_MAX : 0};
+    const area_sink_t sink = {
+        .ctx = vertices, .polygon = count, .wire = no_wire, .window_faces = whole ? INT32_MAX : 0};
     double best = 1e9, spent = 0;
     if (!mem) abort();
     for (int run = 0; run < (quick ? 1 : 20) && !err && (run < 2 || spent < .3); run++) {
