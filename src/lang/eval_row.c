@@ -6,6 +6,8 @@
 #include "lang/eval_row.h"
 #include "lang/arith.h"
 #include "lang/builtins.h"
+#include "num/exp_core.h"
+#include "num/func.h"
 #include "num/noise.h"
 #include "num/num_double.h"
 
@@ -96,7 +98,7 @@ static __attribute__((noinline)) num_t add_cancelling(int64_t am, int32_t ae, in
 static inline num_t sum(int64_t am, int32_t ae, int64_t bm, int32_t be) {
     if (!NUM_DOUBLE_NARROW) return num_double_add((num_t){am, ae, false}, (num_t){bm, be, false});
     if ((am ^ bm) < 0) return add_cancelling(am, ae, bm, be);
-    return num_double_add_narrow((num_t){am, ae, false}, (num_t){bm, be, false});
+    return num_double_sum_narrow((num_t){am, ae, false}, (num_t){bm, be, false});
 }
 /* One copy serves both. */
 static __attribute__((noinline)) void add_or_subtract(work_t *w, uint8_t op, operand_t a, operand_t b, value_t *to) {
@@ -133,16 +135,39 @@ static __attribute__((noinline)) void unary(work_t *w, const uint8_t *pc, operan
     }
 }
 
+static __attribute__((noinline)) void real_slow(work_t *w, int k, num_t (*f)(num_t), const value_t *a, value_t *to) {
+    if (a->kind == VALUE_UNDEF) {
+        *to = *a;
+        return;
+    }
+    if (put(to, num_double(f(value_num(*a))))) w->dead |= (uint32_t)1 << k;
+}
+
 static __attribute__((noinline)) void real_function(work_t *w, num_t (*f)(num_t), operand_t a, value_t *to) {
     for (int k = 0; k < w->n; k++, a.at += a.step, to++) {
-        if (NUM_FAST_RARE(a.at->kind == VALUE_UNDEF)) {
-            *to = *a.at;
+        if (NUM_FAST_RARE(a.at->kind != VALUE_REAL)) {
+            real_slow(w, k, f, a.at, to);
             continue;
         }
-        const num_t r = f(NUM_FAST_RARE(a.at->kind == VALUE_INT) ? value_num(*a.at) : real_of(a.at));
+        const num_t r = f(real_of(a.at));
         if (NUM_FAST_RARE(put(to, num_double((num_t){r.m, r.e, r.undef})))) w->dead |= (uint32_t)1 << k;
     }
 }
+
+#if CONFIG_ROW_EXP
+static __attribute__((noinline)) void exponential(work_t *w, operand_t a, value_t *to) {
+    for (int k = 0; k < w->n; k++, a.at += a.step, to++) {
+        if (NUM_FAST_RARE(a.at->kind != VALUE_REAL || a.at->m >> 32 == 0 || a.at->e > -53)) {
+            real_slow(w, k, func_exp, a.at, to);
+            continue;
+        }
+        const int64_t m = a.at->m;
+        const int32_t e = a.at->e, steps = exp_steps(m, e);
+        const exp_core_t r = exp_reduced(steps, exp_rest(m, e, steps));
+        if (NUM_FAST_RARE(put(to, num_double_round_words(r.m, r.e, 0)))) w->dead |= (uint32_t)1 << k;
+    }
+}
+#endif
 
 static __attribute__((noinline)) void any_function(work_t *w, lang_t *l, const uint8_t *pc, const operand_t *a,
                                                    value_t *to) {
@@ -226,7 +251,12 @@ bool eval_row(lang_t *l, const eval_row_t *r, int width, int n, num_t *out) {
         const int takes = is_binary(op) ? 2 : op == OP_FUNC ? pc[2] : 1;
         value_t *to = area - takes * (width + 1);
         top -= takes;
-        if (op == OP_REAL1)
+#if CONFIG_ROW_EXP
+        if (op == OP_REAL1 && BUILTINS[pc[1]].real1 == func_exp)
+            exponential(&w, top[0], to);
+        else
+#endif
+            if (op == OP_REAL1)
             real_function(&w, BUILTINS[pc[1]].real1, top[0], to);
         else if (op == OP_FUNC && BUILTINS[pc[1]].flags & BUILTIN_IMPURE)
             random_function(&w, l, pc, r->seed, top[0], to);

@@ -20,15 +20,8 @@ num_t noise_next(int32_t seed[2]) {
     /* z * FACTOR rounded as a double is. The product of 32 and 63 bits is in [2^93, 2^95). */
     const int n = ints_clz32((uint32_t)z | 1);
     const wide_u_t p = wide_mul_u64_u32(FACTOR, (uint32_t)z << n);
-    uint64_t u = p.hi << 33 | p.lo >> 31;
-    uint32_t lost = (uint32_t)p.lo << 1;
-    int32_t e = FACTOR_E + 31 - n;
-    if (u >> 63) {
-        lost |= (uint32_t)u & 1;
-        u >>= 1;
-        e++;
-    }
-    return num_double_round_half(u | (lost != 0), e, 0);
+    const words_t u = words((uint32_t)p.hi << 1 | (uint32_t)(p.lo >> 63), (uint32_t)(p.lo >> 31));
+    return num_double_round_lost(u, (uint32_t)p.lo << 1, FACTOR_E + 31 - n, 0);
 }
 
 /* One copy: it is long where a core multiplies 32 bits. */

@@ -12,6 +12,7 @@
 #define NUM_DOUBLE_H
 
 #include "num/num_fast.h"
+#include "num/words.h"
 
 /* The exponents e for which m * 2^e, |m| in [2^62, 2^63), is in the range of doubles. */
 #define NUM_DOUBLE_E_MIN (-1074 - 62)
@@ -30,17 +31,31 @@ static inline num_t num_double_make(int64_t m, int32_t e) {
     return (num_t){m, e, false};
 }
 
-/* sign(s) * u * 2^e, u in [2^62, 2^63), whose lowest bit also stands for everything below it. */
-static inline num_t num_double_round_half(uint64_t u, int32_t e, int64_t s) {
-    u += 0x1FFu + ((uint32_t)u >> 10 & 1);
-    u &= ~(uint64_t)0x3FF;
-    if (NUM_FAST_RARE(u >> 63)) return num_double_make(ints_with_sign((uint64_t)1 << 62, s), e + 1);
-    return num_double_make(ints_with_sign(u, s), e);
+/* u * 2^e rounded, u in [2^62, 2^63), whose lowest bit also stands for everything below it; with the sign s, 0 or ~0.
+ */
+static inline num_t num_double_round_words(words_t u, int32_t e, uint32_t s) {
+    u = words_round(u);
+    if (NUM_FAST_RARE((int32_t)words_hi(u) < 0)) {
+        u = words(0x40000000, 0);
+        e++;
+    }
+    return num_double_make((int64_t)words_join(words_with_sign(u, s)), e);
 }
 
-/* The same of twice that size: u in [2^63, 2^64). */
+/* The same for u below 2^64 and what was lost below it, not 0 if it was anything. */
+static inline num_t num_double_round_lost(words_t u, uint32_t lost, int32_t e, uint32_t s) {
+    if ((int32_t)words_hi(u) < 0) {
+        lost |= words_lo(u) & 1;
+        u = words_shr(u, 1);
+        e++;
+    }
+    if (lost) u = words(words_hi(u), words_lo(u) | 1);
+    return num_double_round_words(u, e, s);
+}
+
+/* The same of twice that size, u in [2^63, 2^64), with the sign of s. */
 static inline num_t num_double_round(uint64_t u, int32_t e, int64_t s) {
-    if (NUM_DOUBLE_NARROW) return num_double_round_half(u >> 1 | (u & 1), e + 1, s);
+    if (NUM_DOUBLE_NARROW) return num_double_round_words(words_of(u >> 1 | (u & 1)), e + 1, (uint32_t)(s >> 63));
     uint64_t r = (u + 0x3FF + (u >> 11 & 1)) & ~(uint64_t)0x7FF; /* wraps to 0 when it carries into 2^64 */
     if (NUM_FAST_RARE(r == 0)) return num_double_make(ints_with_sign((uint64_t)1 << 62, s), e + 2);
     return num_double_make(ints_with_sign(r >> 1, s), e + 1);
@@ -49,7 +64,8 @@ static inline num_t num_double_round(uint64_t u, int32_t e, int64_t s) {
 /* The nearest double. */
 static inline num_t num_double(num_t a) {
     if (a.m == 0) return a;
-    return num_double_round_half(ints_abs64(a.m), a.e, a.m);
+    const uint32_t sign = (uint32_t)((int32_t)(a.m >> 32) >> 31);
+    return num_double_round_words(words_with_sign(words_of((uint64_t)a.m), sign), a.e, sign);
 }
 
 /* Is there nothing but zero or undefined: a normalised significand shows it in its upper word. */
@@ -60,42 +76,36 @@ static inline bool num_double_rare(num_t a, num_t b) {
 
 /* A sum of two of one sign, neither of them zero, for a core of 32 bits: nothing cancels, the top is where it was or
  * one higher. Branches cost it little, words on the stack much: a third of the time of the general way. */
-static inline num_t num_double_add_narrow(num_t a, num_t b) {
+static inline __attribute__((always_inline)) num_t num_double_sum_narrow(num_t a, num_t b) {
     int32_t d = a.e - b.e, e = a.e;
-    int64_t big = a.m, small = b.m;
+    words_t big = words_of((uint64_t)a.m), small = words_of((uint64_t)b.m);
     if (d < 0) {
+        const words_t other = big;
+        big = small;
+        small = other;
         d = -d;
         e = b.e;
-        big = b.m;
-        small = a.m;
     }
-    if (NUM_FAST_RARE(d > 63)) return (num_t){big, e, false};
-    const bool negative = big < 0;
-    if (negative) {
-        big = -big;
-        small = -small;
-    }
-    uint32_t low = (uint32_t)small, high = (uint32_t)(small >> 32), lost = 0;
+    if (NUM_FAST_RARE(d > 63)) return (num_t){(int64_t)words_join(big), e, false};
+    const uint32_t sign = (uint32_t)((int32_t)words_hi(big) >> 31);
+    big = words_with_sign(big, sign);
+    small = words_with_sign(small, sign);
+    uint32_t lost = 0;
     if (d >= 32) {
-        lost = low;
-        low = high;
-        high = 0;
+        lost = words_lo(small);
+        small = words(0, words_hi(small));
         d -= 32;
     }
     if (d > 0) {
-        lost |= low << (32 - d);
-        low = low >> d | high << (32 - d);
-        high >>= d;
+        lost |= words_lo(small) << (32 - d);
+        small = words_shr(small, d);
     }
-    uint64_t u = (uint64_t)big + ((uint64_t)high << 32 | low);
-    if (u >> 63) {
-        lost |= (uint32_t)u & 1;
-        u >>= 1;
-        e++;
-    }
-    num_t r = num_double_round_half(u | (lost != 0), e, 0);
-    if (negative) r.m = -r.m;
-    return r;
+    return num_double_round_lost(words_add(big, small), lost, e, sign);
+}
+
+/* Where it need not be inline. */
+static inline num_t num_double_add_narrow(num_t a, num_t b) {
+    return num_double_sum_narrow(a, b);
 }
 
 /* As num_fast_add, which has the reasons, but for the rounding. */
@@ -124,12 +134,7 @@ static inline num_t num_double_mul(num_t a, num_t b) {
     int32_t e = a.e + b.e + 62;
     if (NUM_DOUBLE_NARROW) {
         uint32_t lost = (uint32_t)p.lo | (uint32_t)(p.lo >> 32);
-        if (p.hi >> 63) {
-            lost |= (uint32_t)p.hi & 1;
-            p.hi >>= 1;
-            e++;
-        }
-        return num_double_round_half(p.hi | (lost != 0), e, a.m ^ b.m);
+        return num_double_round_lost(words_of(p.hi), lost, e, (uint32_t)((int32_t)((a.m ^ b.m) >> 32) >> 31));
     }
     int t = (int)(p.hi >> 63) ^ 1;
     uint64_t u = p.hi << t | (p.lo >> 63 & (uint64_t)t);

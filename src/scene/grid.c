@@ -9,6 +9,7 @@
 #include "config.h"
 #include "error.h"
 #include "num/num_fast.h"
+#include "num/words.h"
 
 #define GRID_HOLE INT32_MIN
 #define Z_BITS 30 /* |zi| <= 2^30: sums and differences of two heights fit int32_t */
@@ -43,6 +44,23 @@ static inline int64_t units(int64_t d, int32_t e, int32_t exp) {
     /* d is short: the rest was cancelled. Or it is 0, and e means nothing. */
     if (NUM_FAST_RARE(shift < 0)) return (int64_t)((uint64_t)d << (-shift & 63));
     return d >> (shift < 63 ? shift : 63);
+}
+
+/* The units of almost every height, in 2^exp: it is not 0, nor is the origin, and a unit is so large that the upper
+ * word of the difference has it. False if it is another, or beyond the limit. */
+static inline bool usual_units(num_t z, num_t origin, int32_t exp, int32_t *zi) {
+    words_t a = words_sar(words_of((uint64_t)z.m), 1), b = words_sar(words_of((uint64_t)origin.m), 1);
+    const int32_t d = z.e - origin.e;
+    int32_t shift = exp - 33 - origin.e;
+    if (d < 0) {
+        a = words_sar_far(a, -d);
+    } else if (d > 0) {
+        b = words_sar_far(b, d);
+        shift -= d;
+    }
+    if ((int32_t)(z.m >> 32) == 0 || (int32_t)(origin.m >> 32) == 0 || shift < 0) return false;
+    *zi = (int32_t)words_hi(words_sub(a, b)) >> (shift < 31 ? shift : 31);
+    return *zi > -Z_LIMIT && *zi < Z_LIMIT;
 }
 
 /* The height at a point, whatever the limits. */
@@ -85,78 +103,89 @@ static inline int32_t at_once(const grid_t *g, int32_t i) {
     return g->nx - i < CONFIG_ROW_POINTS ? g->nx - i : CONFIG_ROW_POINTS;
 }
 
-static void coarsen(int32_t *cache, int64_t count, int32_t by) {
-    for (int64_t k = 0; k < count; k++) {
-        if (cache[k] != GRID_HOLE) cache[k] >>= by;
+/* What is known of the heights so far, in units of 2^exp: that of the first is 0. */
+typedef struct measure {
+    int32_t exp, least, most;
+    int32_t *cache, *at; /* the next one's place in it; NULL: no cache */
+} measure_t;
+
+static void coarsen(measure_t *m, int32_t by) {
+    m->least >>= by;
+    m->most >>= by;
+    for (int32_t *c = m->cache; c != m->at; c++) {
+        if (*c != GRID_HOLE) *c >>= by;
+    }
+}
+
+/* The units of any height; the scale is made coarser if it does not fit. */
+static __attribute__((noinline)) int32_t fitted_units(measure_t *m, num_t z, num_t origin) {
+    int32_t e;
+    const int64_t d = apart(z, origin, &e);
+    int64_t u = m->exp >= e ? units(d, e, m->exp) : 0;
+    if ((m->exp < e && d != 0) || u <= -Z_LIMIT || u >= Z_LIMIT) {
+        const int32_t need = exponent_of(d, e);
+        if (need > m->exp) {
+            if (m->exp != INT16_MIN) coarsen(m, need - m->exp > 31 ? 31 : need - m->exp);
+            m->exp = need;
+        }
+        u = units(d, e, m->exp);
+    }
+    return (int32_t)u;
+}
+
+static inline void measure_height(grid_t *g, measure_t *m, const num_t *height) {
+    if (NUM_FAST_RARE(height->undef)) {
+        g->holes++;
+        if (m->at != NULL) *m->at++ = GRID_HOLE;
+        return;
+    }
+    const num_t z = {height->m, height->e, false}; /* as it is, it would be copied as a whole */
+    int32_t zi;
+    if (NUM_FAST_RARE(!usual_units(z, g->z_origin, m->exp, &zi))) zi = fitted_units(m, z, g->z_origin);
+    if (m->at != NULL) *m->at++ = zi;
+    /* Rounding down keeps the order, so only a height in the units of an extreme can be beyond it. */
+    if (zi <= m->least) {
+        if (num_fast_cmp(z, g->z_min) < 0) g->z_min = *height;
+        m->least = zi;
+    }
+    if (zi >= m->most) {
+        if (num_fast_cmp(z, g->z_max) > 0) g->z_max = *height;
+        m->most = zi;
     }
 }
 
 int grid_measure(grid_t *g, const surface_t *src, const num_t *lo, const num_t *hi, int32_t *cache,
                  void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx) {
     bool any = false;
-    int32_t exp = INT16_MIN, least = 0, most = 0; /* of the heights in units: that of the first is 0 */
+    measure_t m = {.exp = INT16_MIN, .cache = cache, .at = cache};
     if (src->nx > GRID_SIDE_MAX || src->ny > GRID_SIDE_MAX) return ERR_FULL;
     *g = (grid_t){.src = src, .nx = src->nx, .ny = src->ny, .cache = NULL, .has_lo = lo != NULL, .has_hi = hi != NULL};
     if (lo != NULL) g->z_lo = *lo;
     if (hi != NULL) g->z_hi = *hi;
-    int64_t at = -1;
     num_t heights[CONFIG_ROW_POINTS];
     for (int32_t j = 0; j < g->ny; j++) {
-        for (int32_t i = 0, n = 0, k = 0; i < g->nx; i++, k++) {
-            if (CONFIG_ROW_POINTS == 1 || k == n) {
-                n = at_once(g, i);
-                k = 0;
-                evaluate_row(g, i, j, n, heights);
-            }
-            at++;
-            if (heights[k].undef) {
-                g->holes++;
-                if (cache != NULL) cache[at] = GRID_HOLE;
-                continue;
-            }
-            if (!any) {
-                any = true;
-                g->z_min = g->z_max = g->z_origin = heights[k];
-            }
-            const num_t z = {heights[k].m, heights[k].e, false}; /* as it is, it would be copied as a whole */
-            int32_t e;
-            const int64_t d = apart(z, g->z_origin, &e);
-            int64_t u = exp >= e ? units(d, e, exp) : 0;
-            if ((exp < e && d != 0) || u <= -Z_LIMIT || u >= Z_LIMIT) {
-                const int32_t need = exponent_of(d, e);
-                if (need > exp) {
-                    if (exp != INT16_MIN) {
-                        int32_t by = need - exp > 31 ? 31 : need - exp;
-                        least >>= by;
-                        most >>= by;
-                        if (cache != NULL) coarsen(cache, at, by);
-                    }
-                    exp = need;
+        for (int32_t i = 0, n; i < g->nx; i += n) {
+            n = at_once(g, i);
+            evaluate_row(g, i, j, n, heights);
+            for (int32_t k = 0; k < n; k++) {
+                if (NUM_FAST_RARE(!any) && !heights[k].undef) {
+                    any = true;
+                    g->z_min = g->z_max = g->z_origin = heights[k];
                 }
-                u = units(d, e, exp);
-            }
-            const int32_t zi = (int32_t)u;
-            if (cache != NULL) cache[at] = zi;
-            /* Rounding down keeps the order, so only a height in the units of an extreme can be beyond it. */
-            if (zi <= least) {
-                if (num_fast_cmp(z, g->z_min) < 0) g->z_min = heights[k];
-                least = zi;
-            }
-            if (zi >= most) {
-                if (num_fast_cmp(z, g->z_max) > 0) g->z_max = heights[k];
-                most = zi;
+                measure_height(g, &m, &heights[k]);
             }
         }
         if (tick != NULL) tick(tick_ctx, j + 1, g->ny);
     }
     if (!any) return ERR_EMPTY;
-    g->z_exp = (int16_t)(exp == INT16_MIN ? 0 : exp);
+    g->z_exp = (int16_t)(m.exp == INT16_MIN ? 0 : m.exp);
     g->cache = cache;
     return 0;
 }
 
 static inline bool scaled(const grid_t *g, num_t z, int32_t *zi) {
     if (z.undef) return false;
+    if (usual_units(z, g->z_origin, g->z_exp, zi)) return true;
     int32_t e;
     const int64_t d = apart(z, g->z_origin, &e);
     *zi = (int32_t)units(d, e, g->z_exp);
