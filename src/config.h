@@ -57,6 +57,11 @@
 #define CONFIG_LOGSCALE CONFIG_AREA
 #endif
 
+/* The files '+' and '++', sampling ranges, parametric and polar `plot`, set mapping (0 or 1): 3 KB of flash. */
+#ifndef CONFIG_SAMPLED
+#define CONFIG_SAMPLED CONFIG_PARAMETRIC
+#endif
+
 /* if, do, while, `for`, and texts that are put together (0 or 1): 6 KB of flash. How many blocks may be open; how often
  * loops may go round before what was typed counts as caught in one. */
 #ifndef CONFIG_CONTROL

@@ -125,8 +125,19 @@ static const struct {
 #if CONFIG_LOGSCALE
     {"log$scale", "set logscale [xyz] [BASE]: these axes, or all, are logarithmic. unset logscale [xyz]\n"},
 #endif
+#if CONFIG_SAMPLED
+    {"sample",
+     "plot sample [0:5] f(x), [t=5:9:0.5] '+' using (t):(f(t)): elements over ranges of their own; '+' is a file\n"
+     "whose rows count through one, with a step or as set samples says; splot '++' using 1:2:3, over two.\n"},
+    {"pol$ar", "set polar; plot R: a radius over the angle t; files hold angle and radius. See trange.\n"},
+    {"tr$ange", "set trange [FROM:TO]: of t in plot '+', set parametric (-5:5) and set polar (0:2*pi)\n"},
+    {"map$ping",
+     "set mapping cartesian|cylindrical|spherical: data are x y z; angle, z, radius; or longitude, latitude,\n"
+     "radius. Radius 1 may be missing. See angles.\n"},
+#endif
 #if CONFIG_PARAMETRIC
-    {"pa$rametric", "set parametric; splot X, Y, Z: three expressions of u and v over urange and vrange\n"},
+    {"pa$rametric",
+     "set parametric; splot X, Y, Z: three expressions of u and v over urange and vrange; plot X, Y: two of t\n"},
 #endif
     {"xr$ange", "set xrange [FROM:TO]   [*:5] leaves an end to the data, [5:-5] turns the axis round\n"},
     {"yr$ange", "set yrange [FROM:TO]   see help xrange\n"},

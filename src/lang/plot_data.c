@@ -14,7 +14,8 @@ static value_t column_value(void *ctx, int32_t n) {
 static num_t compute(void *ctx, int32_t part) {
     session_t *s = ctx;
     value_t v;
-    int err = expr_eval(&s->lang, &s->plot.source[s->plot.next].part[part], NULL, &v);
+    /* Parameters of what is sampled are its columns. */
+    int err = expr_eval(&s->lang, &s->plot.source[s->plot.next].part[part], s->plot.reader.column + 1, &v);
     if (err && !s->plot.data_error) s->plot.data_error = err;
     return value_num(v);
 }
@@ -63,6 +64,10 @@ int plot_data_start(session_t *s, session_source_t *src, bool inline_data, int32
     src->first_grid = s->plot.grids;
     src->spec.compute = compute;
     src->spec.ctx = s;
+#if CONFIG_SAMPLED
+    src->spec.mapping = !src->spec.flat ? s->mapping : s->axes == AXES_POLAR ? DATA_POLAR : DATA_CARTESIAN;
+    src->spec.degrees = s->lang.degrees;
+#endif
 #if CONFIG_LOGSCALE
     src->spec.log_base = s->settings.log_axes ? s->log_base : NULL;
 #endif
@@ -148,13 +153,13 @@ int plot_data_done(session_t *s) {
         return 0;
     }
     int n = data_reader_finish(&s->plot.reader);
-    if (n < 0) return plot_data_failed(s, src, n);
     s->lang.column = NULL;
-    if (s->plot.data_error) {
+    if (s->plot.data_error && (n >= 0 || n == ERR_EMPTY)) {
         int err = expr_fault(&s->lang, NULL, &s->error);
         s->error.column = src->column;
         return err;
     }
+    if (n < 0) return plot_data_failed(s, src, n);
     src->grids = n;
     s->plot.grids += n;
 #if CONFIG_PARAMETRIC
@@ -177,6 +182,9 @@ static int read_all(session_t *s, session_source_t *src, int handle) {
 
 int plot_data_read(session_t *s, session_source_t *src) {
     char *name = s->frame_name[0];
+#if CONFIG_SAMPLED
+    if (src->sampled) return plot_sampled_read(s, src);
+#endif
 #if CONFIG_LOAD_DEPTH
     if (src->name.tok.kind == '$') {
         lexer_t lx = src->name;

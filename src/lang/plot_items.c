@@ -1,6 +1,7 @@
 /* plot_items.c - from the elements of a plot command to surfaces and curves: over which ranges, how many points. */
 #include "lang/log_axes.h"
 #include "lang/session_parts.h"
+#include "scene/log_scale.h"
 
 /* The extent of one set of data along x (k = 0) or y. */
 static void set_extent(session_t *s, int32_t i, int k, num_t out[2]) {
@@ -62,6 +63,19 @@ static const num_t *data_limits(session_t *s, int k, num_t out[2]) {
     return out;
 }
 
+#if CONFIG_SAMPLED
+/* [0:1] in front of an element. */
+static void own_range(const session_t *s, const range_t *r, num_t end[2]) {
+    if (!r->auto_lo) end[0] = r->lo;
+    if (!r->auto_hi) end[1] = r->hi;
+#if CONFIG_LOGSCALE
+    if (!r->auto_lo) end[0] = log_scale(s->log_base[0], end[0]);
+    if (!r->auto_hi) end[1] = log_scale(s->log_base[0], end[1]);
+#endif
+    (void)s;
+}
+#endif
+
 static int function_item(session_t *s, const session_source_t *src, session_work_t *work, plot_item_t *item,
                          const num_t lo[2], const num_t hi[2]) {
     const int32_t *iso = s->settings.isosamples, *samples = s->settings.samples;
@@ -70,7 +84,11 @@ static int function_item(session_t *s, const session_source_t *src, session_work
     expr_surface_source(source, &s->lang, &src->expr);
     int err;
     if (s->plot.kind == PLOT_CURVES) {
-        err = expr_surface_curve(&work->expr.grid, source, lo[0], hi[0], samples[0], &item->curve);
+        num_t end[2] = {lo[0], hi[0]};
+#if CONFIG_SAMPLED
+        if (src->sampling[0].given) own_range(s, &src->sampling[0].range, end);
+#endif
+        err = expr_surface_curve(&work->expr.grid, source, end[0], end[1], samples[0], &item->curve);
     } else {
         err = expr_surface_grid(&work->expr.grid, source, lo, hi, iso, &item->surface);
         if (!err) err = expr_surface_grid(&work->expr.rows, source, lo, hi, along_x, &item->rows);

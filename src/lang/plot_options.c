@@ -57,6 +57,9 @@ static int using(session_t *s, lexer_t *lx, session_source_t *src) {
         int err = n == (flat ? 2 : 3) ? using_more(s, lx) : using_part(s, lx, src, n++);
         if (err) return err;
     } while (lexer_accept(lx, ':'));
+#if CONFIG_SAMPLED
+    if (n == 2 && s->mapping != DATA_CARTESIAN) flat = true; /* two angles are enough */
+#endif
     if (n == 2 && !flat) return session_fail(s, &at, ERR_SYNTAX, "a surface needs one column (z) or three (x:y:z)");
     if (lx->tok.kind == TOKEN_STRING) return session_fail(s, lx, ERR_UNSUPPORTED, "formats are not supported");
     src->spec.parts = n;

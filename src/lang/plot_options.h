@@ -15,7 +15,17 @@ int32_t plot_options_cosine(num_t degrees);
 int plot_options_twice(session_t *s, const lexer_t *word, bool *seen);
 /* plot_looks.c: title, with lines, and what concerns colours and widths. */
 int plot_options_style(session_t *s, lexer_t *lx, session_source_t *src);
-/* plot_parse.c: compiles an expression without dummy variables into the plot's code. */
+#if CONFIG_SAMPLED
+/* plot_sampled.c: `sample` and ranges in front of an element, whose names go to params; the file '+', or '++', whose
+ * using expressions know params until the element's end; the expressions of a parametric or polar curve; computes all
+ * of it. */
+int plot_sampling(session_t *s, lexer_t *lx, expr_params_t *params, session_source_t *src);
+void plot_sampled_file(session_t *s, session_source_t *src, bool surface, expr_params_t *params);
+int plot_sampled_curve(session_t *s, lexer_t *lx, const expr_params_t *params, session_source_t *src);
+int plot_sampled_read(session_t *s, session_source_t *src);
+#endif
+/* plot_parse.c: compiles an expression without dummy variables, or with those of what is sampled, into the plot's code.
+ */
 int plot_options_expression(session_t *s, lexer_t *lx, expr_t *out);
 
 #endif

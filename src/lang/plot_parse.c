@@ -5,42 +5,6 @@
 #include "lang/plot_options.h"
 #include "lang/session_parts.h"
 
-/* The ranges in front; the names in [u=0:1] become the dummy variables. */
-static int ranges(session_t *s, lexer_t *lx, enum plot_kind kind, expr_params_t *params) {
-    const range_t *set[3] = {&s->settings.x, &s->settings.y, &s->settings.z};
-    int axes = kind == PLOT_CURVES ? 2 : 3;
-    params->count = kind == PLOT_CURVES ? 1 : 2;
-    for (int k = 0; k < params->count; k++) {
-        params->name[k].text = s->dummy[k];
-        params->name[k].len = (uint8_t)strlen(s->dummy[k]);
-    }
-    for (int k = 0; k < 3; k++) s->plot.range[k] = *set[k];
-    range_t *range = s->plot.range;
-#if CONFIG_PARAMETRIC
-    memcpy(s->plot.uv, s->uv, sizeof s->uv);
-    if (s->axes == AXES_PARAMETRIC && kind == PLOT_SURFACES) {
-        static const char uv[] = "u\0v";
-        for (int k = 0; k < 2; k++)
-            if (strcmp(s->dummy[k], k ? "y" : "x") == 0) params->name[k].text = uv + 2 * k;
-        range = s->plot.uv;
-        axes = 5;
-    }
-#endif
-    for (int k = 0; k < axes && lx->tok.kind == '['; k++) {
-        lexer_t name = *lx;
-        /* After u and v come x, y and z. */
-        const bool is_axis = range == s->plot.range || k < 2;
-        int err = set_range(s, lx, is_axis ? &range[k] : &s->plot.range[k - 2], &name);
-        if (err) return err;
-        if (name.tok.kind != TOKEN_NAME) continue;
-        if (k >= params->count) return session_fail(s, &name, ERR_SYNTAX, "this axis has no variable");
-        if (name.tok.len >= sizeof s->dummy[0]) return session_fail(s, &name, ERR_FULL, "this name is too long");
-        params->name[k].text = lexer_text(&name);
-        params->name[k].len = (uint8_t)name.tok.len;
-    }
-    return 0;
-}
-
 static int compile(session_t *s, lexer_t *lx, const expr_params_t *params, expr_t *out) {
     uint8_t *code = s->plot.code + s->plot.code_len;
     int err = expr_compile(&s->lang, lx, params, code, sizeof s->plot.code - s->plot.code_len, out, &s->error);
@@ -49,7 +13,11 @@ static int compile(session_t *s, lexer_t *lx, const expr_params_t *params, expr_
 }
 
 int plot_options_expression(session_t *s, lexer_t *lx, expr_t *out) {
+#if CONFIG_SAMPLED
+    return compile(s, lx, s->plot.using_params, out);
+#else
     return compile(s, lx, NULL, out);
+#endif
 }
 
 #if CONFIG_LOGSCALE
@@ -108,7 +76,7 @@ int plot_text(session_t *s, lexer_t *lx, const char **text) {
 #endif
 
 /* 'file', '-' for inline data, '' for the file before. */
-static int data_name(session_t *s, lexer_t *lx, session_source_t *src) {
+static int data_name(session_t *s, lexer_t *lx, session_source_t *src, expr_params_t *params) {
     char *name = s->frame_name[0];
     int n = 0;
     const lexer_t at = *lx;
@@ -132,7 +100,11 @@ static int data_name(session_t *s, lexer_t *lx, session_source_t *src) {
     if (strcmp(name, "-") == 0) {
         src->kind = SOURCE_INLINE;
     } else if (strcmp(name, "+") == 0 || strcmp(name, "++") == 0) {
+#if CONFIG_SAMPLED
+        plot_sampled_file(s, src, name[1] != '\0', params);
+#else
         return session_fail(s, lx, ERR_UNSUPPORTED, "the pseudo file is not supported; plot an expression");
+#endif
     } else if (name[0] == '<') {
         return session_fail(s, lx, ERR_UNSUPPORTED, "programs cannot be run for data");
     } else if (n == 0) {
@@ -144,6 +116,9 @@ static int data_name(session_t *s, lexer_t *lx, session_source_t *src) {
         src->file_name = before->file_name;
 #endif
         src->solid = before->solid;
+#if CONFIG_SAMPLED
+        if (before->sampled) plot_sampled_file(s, src, before->sampled == 2, params);
+#endif
     }
     if (lx->tok.start == at.tok.start) lexer_next(lx);
     return 0;
@@ -161,7 +136,12 @@ static int moves(session_t *s, lexer_t *lx, session_source_t *src) {
     return 0;
 }
 
-static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_params_t *params) {
+static void title_as_typed(session_source_t *src, const lexer_t *lx) {
+    src->title_len = (int32_t)(lexer_text(lx) - src->title);
+    while (src->title_len > 0 && src->title[src->title_len - 1] == ' ') src->title_len--;
+}
+
+static int element(session_t *s, lexer_t *lx, enum plot_kind kind, expr_params_t *params) {
     session_source_t *src = &s->plot.source[s->plot.sources];
     int32_t first_grid = src->first_grid, grids = src->grids; /* of the last plot: replot may need them */
 #if CONFIG_PARAMETRIC
@@ -180,11 +160,17 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
 #endif
     data_spec_default(&src->spec);
     src->spec.separator = s->separator;
+    int err = 0;
+#if CONFIG_SAMPLED
+    s->plot.using_params = NULL;
+    err = plot_sampling(s, lx, params, src);
+    if (err) return err;
+#endif
+    src->name = *lx;
     src->title = lexer_text(lx);
-    int err;
     if (session_is_text(s, lx)) {
         src->spec.flat = kind == PLOT_CURVES;
-        err = data_name(s, lx, src);
+        err = data_name(s, lx, src, params);
         src->title_len = (int32_t)(src->name.tok.len);
 #if CONFIG_CONTROL
         if (!err && src->file_name) {
@@ -199,20 +185,28 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
         src->spec.flat = kind == PLOT_CURVES;
         src->kind = SOURCE_FILE;
         err = block_name(s, lx, s->frame_name[0], CONFIG_NAME_MAX + 1);
-        src->title_len = (int32_t)(lexer_text(lx) - src->title);
-        while (src->title_len > 0 && src->title[src->title_len - 1] == ' ') src->title_len--;
+        title_as_typed(src, lx);
         if (!err) err = plot_options_data(s, lx, src);
         if (!err) err = moves(s, lx, src);
 #endif
+    } else if (CONFIG_SAMPLED && lexer_is_name(lx, "keyentry")) { /* only gnuplot's key would show it */
+        lexer_next(lx);
+        return plot_options_style(s, lx, src);
     } else if ((!CONFIG_CONTROL && lexer_is_name(lx, "for")) || lexer_is_name(lx, "keyentry") ||
-               lexer_is_name(lx, "sample")) {
+               (!CONFIG_SAMPLED && lexer_is_name(lx, "sample"))) {
         return lang_error_set_name(&s->error, ERR_UNSUPPORTED, lexer_column(lx), "not supported", lexer_text(lx),
                                    lx->tok.len);
+#if CONFIG_SAMPLED
+    } else if (kind == PLOT_CURVES && s->axes != AXES_XY) {
+        err = plot_sampled_curve(s, lx, params, src);
+        title_as_typed(src, lx);
+#endif
     } else {
         src->kind = SOURCE_EXPR;
         src->parametric = CONFIG_PARAMETRIC && s->axes == AXES_PARAMETRIC && kind == PLOT_SURFACES;
         if (s->axes != AXES_XY && !src->parametric)
-            return session_fail(s, lx, ERR_UNSUPPORTED, "parametric and polar plots of this kind are not supported");
+            return session_fail(s, lx, ERR_UNSUPPORTED,
+                                "plots of this kind are not supported with polar or parametric axes");
         if (src->parametric && s->settings.hidden == HIDDEN_HORIZON)
             return session_fail(s, lx, ERR_UNSUPPORTED, "parametric surfaces want set hidden3d, or unset hidden3d");
         src->solid = src->parametric;
@@ -229,8 +223,7 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
             if (err) return err;
             if (out[k].columns) return lang_error_set(&s->error, ERR_SYNTAX, src->column, "$ belongs into using");
         }
-        src->title_len = (int32_t)(lexer_text(lx) - src->title);
-        while (src->title_len > 0 && src->title[src->title_len - 1] == ' ') src->title_len--;
+        title_as_typed(src, lx);
     }
     if (!err) err = plot_options_style(s, lx, src);
     if (err) return err;
@@ -242,7 +235,8 @@ int plot_element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_para
     if (s->plot.sources == CONFIG_PLOT_ITEMS)
         return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "too much for one plot; most elements",
                                      CONFIG_PLOT_ITEMS);
-    return element(s, lx, kind, params);
+    expr_params_t own = *params; /* its ranges may have names of their own */
+    return element(s, lx, kind, &own);
 }
 
 int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind) {
@@ -256,7 +250,7 @@ int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind) {
     s->plot.texts_len = 0;
 #endif
     if (s->logscale) return session_fail(s, lx, ERR_UNSUPPORTED, NO_AXES);
-    int err = ranges(s, lx, kind, &params);
+    int err = plot_ranges(s, lx, kind, &params);
 #if CONFIG_LOGSCALE
     if (!err) err = log_axes_ranges(s, &word);
 #endif

@@ -98,6 +98,15 @@ typedef struct session_chunk {
 
 #define PLOT_NAMES_MAX 128 /* of `translucent`, with a zero behind each and another behind all */
 
+#if CONFIG_SAMPLED
+/* [t=0:10:2] in front of an element. */
+typedef struct plot_sampling {
+    bool given;
+    range_t range;
+    num_t step; /* 0: as many as `set samples` says */
+} plot_sampling_t;
+#endif
+
 /* One element of a plot command, as it was typed. */
 typedef struct session_source {
     enum { SOURCE_EXPR, SOURCE_FILE, SOURCE_INLINE } kind;
@@ -120,6 +129,10 @@ typedef struct session_source {
 #if CONFIG_PARAMETRIC
     num_t extent[2][2]; /* plot.h */
     bool curved;        /* some of its data are no grid: behind its grids comes a mesh */
+#endif
+#if CONFIG_SAMPLED
+    uint8_t sampled; /* its rows are computed: from one parameter, or two; 0 */
+    plot_sampling_t sampling[2];
 #endif
     uint32_t moves; /* where `translate` and the like begin in the line of `name`, or 0 */
 } session_source_t;
@@ -163,6 +176,10 @@ typedef struct session {
 #if CONFIG_PARAMETRIC
     range_t uv[2]; /* set urange, vrange */
 #endif
+#if CONFIG_SAMPLED
+    range_t t; /* set trange */
+    enum data_mapping mapping;
+#endif
     bool in_last;                      /* the error is in `last` (replot), not in the frame's line */
     char dummy[2][LANG_ERROR_MAX / 4]; /* set dummy */
     char separator;                    /* set datafile separator; 0: blanks and commas */
@@ -183,6 +200,10 @@ typedef struct session {
         range_t range[3]; /* given in the command, or as set */
 #if CONFIG_PARAMETRIC
         range_t uv[2]; /* so too */
+#endif
+#if CONFIG_SAMPLED
+        range_t t;
+        const expr_params_t *using_params; /* of the element being compiled, or NULL */
 #endif
 #if CONFIG_CONTROL
         char texts[CONFIG_NAME_MAX + 1]; /* titles and names of files that were put together, one behind the other */

@@ -92,8 +92,10 @@ int set_integer(session_t *s, lexer_t *lx, int32_t lo, int32_t hi, int32_t *out,
 /* A number times 10^decimals, rounded, within [lo, hi] (already scaled). */
 int set_scaled(session_t *s, lexer_t *lx, int decimals, int64_t lo, int64_t hi, int64_t *out, const char *message);
 
-/* set_range.c: `[lo:hi]`, at its bracket. With name, also `[u=lo:hi]`; *name is then at u. */
-int set_range(session_t *s, lexer_t *lx, range_t *r, lexer_t *name);
+/* set_range.c: `[lo:hi]`, at its bracket. With name, also `[u=lo:hi]`; *name is then at u. With step, also
+ * `[lo:hi:step]`.
+ */
+int set_range(session_t *s, lexer_t *lx, range_t *r, lexer_t *name, num_t *step);
 int set_range_option(session_t *s, lexer_t *lx, range_t *r);
 int set_autoscale(session_t *s, lexer_t *lx);
 
@@ -101,6 +103,7 @@ int set_autoscale(session_t *s, lexer_t *lx);
 int set_title(session_t *s, lexer_t *lx);
 int set_dummy(session_t *s, lexer_t *lx);
 int set_angles(session_t *s, lexer_t *lx);
+int set_mapping(session_t *s, lexer_t *lx);
 int set_datafile(session_t *s, lexer_t *lx, int index, const lexer_t *word);
 
 /* set_view.c, set_page.c, set_machine.c */
@@ -141,6 +144,8 @@ int block_line(session_t *s, const char *text, size_t n);
 
 /* plot_parse.c: the whole command becomes s->plot.source[]; nothing is read or drawn. lx: behind the command's word. */
 int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind);
+/* plot_ranges.c: the ranges in front of it, into plot.range and the like; the variables, into params. */
+int plot_ranges(session_t *s, lexer_t *lx, enum plot_kind kind, expr_params_t *params);
 /* One element, appended to them. plot_iteration.c: with `for` in front; is no variable of theirs used elsewhere; the
  * variables have what they had. */
 int plot_element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_params_t *params);

@@ -13,6 +13,10 @@ void set_reset(session_t *s) {
 #endif
 #if CONFIG_PARAMETRIC
     s->uv[0] = s->uv[1] = (range_t){.auto_lo = true, .auto_hi = true};
+#if CONFIG_SAMPLED
+    s->t = s->uv[0];
+    s->mapping = DATA_CARTESIAN;
+#endif
 #endif
     s->lang.degrees = false;
     memcpy(s->dummy[0], "x", 2);
@@ -203,6 +207,16 @@ int set_command(session_t *s, lexer_t *lx) {
     case SET_VRANGE:
         return set_range_option(s, lx, &s->uv[words_set_id[index] == SET_VRANGE]);
 #endif
+#if CONFIG_SAMPLED
+    case SET_TRANGE:
+        return set_range_option(s, lx, &s->t);
+    case SET_MAPPING:
+        return set_mapping(s, lx);
+    case SET_POLAR:
+        s->axes = AXES_POLAR;
+        session_skip(lx); /* grid options */
+        return 0;
+#endif
     case SET_XYPLANE:
     case SET_TICSLEVEL:
         return set_xyplane(s, lx);
@@ -222,7 +236,11 @@ int set_command(session_t *s, lexer_t *lx) {
             if (err) return err;
         } /* fall through */
     case SET_IGNORED:
+#if !CONFIG_SAMPLED
     case SET_POLAR:
+    case SET_TRANGE:
+    case SET_MAPPING:
+#endif
     case SET_NONLINEAR:
 #if !CONFIG_LOGSCALE
     case SET_LOGSCALE:

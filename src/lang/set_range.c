@@ -17,7 +17,7 @@ static int range_end(session_t *s, lexer_t *lx, bool *automatic, num_t *value, b
     return 0;
 }
 
-int set_range(session_t *s, lexer_t *lx, range_t *r, lexer_t *name) {
+int set_range(session_t *s, lexer_t *lx, range_t *r, lexer_t *name, num_t *step) {
     lexer_t bracket = *lx;
     if (!lexer_accept(lx, '[')) return lexer_unexpected(lx, &s->error, "a range [from:to] expected");
     if (name && lx->tok.kind == TOKEN_NAME) {
@@ -37,6 +37,8 @@ int set_range(session_t *s, lexer_t *lx, range_t *r, lexer_t *name) {
     if (err) return err;
     if (lexer_accept(lx, ':')) {
         err = range_end(s, lx, &auto_to, &to, &given_to);
+        if (err) return err;
+        if (step && lexer_accept(lx, ':')) err = expr_number(&s->lang, lx, step, &s->error);
         if (err) return err;
     } else if (given_from) {
         return lexer_unexpected(lx, &s->error, "':' expected");
@@ -61,7 +63,7 @@ int set_range_option(session_t *s, lexer_t *lx, range_t *out) {
         lexer_next(lx);
         r = (range_t){.auto_lo = true, .auto_hi = true};
     } else if (lx->tok.kind == '[') {
-        int err = set_range(s, lx, &r, NULL);
+        int err = set_range(s, lx, &r, NULL, NULL);
         if (err) return err;
     }
     while (!session_at_end(lx)) {

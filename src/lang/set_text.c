@@ -1,4 +1,4 @@
-/* set_text.c - options that are words: title, dummy, datafile, angles. */
+/* set_text.c - options that are words: title, dummy, datafile, angles, mapping. */
 #include "lang/session_parts.h"
 
 /* Options of a text's looks: known, and without a meaning for a pen. */
@@ -87,3 +87,16 @@ int set_angles(session_t *s, lexer_t *lx) {
     if (!err) s->lang.degrees = degrees;
     return err;
 }
+
+#if CONFIG_SAMPLED
+int set_mapping(session_t *s, lexer_t *lx) {
+    static const char words[] = "ca$rtesian\0cy$lindrical\0s$pherical\0";
+    static const enum data_mapping mapping[] = {DATA_CARTESIAN, DATA_CYLINDRICAL, DATA_SPHERICAL};
+    const int k = session_at_end(lx) ? 0 : words_find(words, lx);
+    if (k < 0) return lexer_unexpected(lx, &s->error, "cartesian, cylindrical or spherical expected");
+    if (!session_at_end(lx)) lexer_next(lx);
+    int err = session_expect_end(s, lx);
+    if (!err) s->mapping = mapping[k];
+    return err;
+}
+#endif

@@ -126,6 +126,18 @@ static bool show_option(session_t *s, uint8_t id) {
         show_logscale(s, &t);
         break;
 #endif
+#if CONFIG_SAMPLED
+    case SET_TRANGE:
+        show_range(&t, "t", &s->t);
+        break;
+    case SET_MAPPING: {
+        static const char *const word[] = {"cartesian", "polar", "cylindrical", "spherical"};
+        text_add(&t, "set mapping ");
+        text_add(&t, word[s->mapping]);
+        text_add(&t, "\n");
+        break;
+    }
+#endif
 #if CONFIG_PARAMETRIC
     case SET_PARAMETRIC:
         text_add(&t, s->axes == AXES_PARAMETRIC ? "set parametric\n" : "unset parametric\n");
@@ -254,6 +266,7 @@ int show_command(session_t *s, lexer_t *lx) {
     lexer_next(lx);
     uint8_t id = words_set_id[index];
     if (id == SET_IGNORED || id == SET_POLAR || id == SET_NONLINEAR || (!CONFIG_LOGSCALE && id == SET_LOGSCALE) ||
+        (!CONFIG_SAMPLED && (id == SET_TRANGE || id == SET_MAPPING)) ||
         (!CONFIG_PARAMETRIC && (id == SET_PARAMETRIC || id == SET_URANGE || id == SET_VRANGE))) {
         session_warn_once(s, s->warned_set, index, "show ", &word, ": this option is ignored here");
         session_skip(lx);

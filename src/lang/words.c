@@ -143,7 +143,7 @@ _Static_assert(sizeof words_command_id <= WORDS_WARNED_STYLE, "a warning bit for
     WORD("log$scale", SET_LOGSCALE)                                                                                    \
     WORD("mac$ros", SET_IGNORED)                                                                                       \
     WORD("mach$ine", SET_MACHINE)                                                                                      \
-    WORD("map$ping3d", SET_IGNORED)                                                                                    \
+    WORD("map$ping3d", SET_MAPPING)                                                                                    \
     WORD("mar$gins", SET_IGNORED)                                                                                      \
     WORD("micro", SET_IGNORED)                                                                                         \
     WORD("minus$sign", SET_IGNORED)                                                                                    \
@@ -199,7 +199,7 @@ _Static_assert(sizeof words_command_id <= WORDS_WARNED_STYLE, "a warning bit for
     WORD("times$tamp", SET_IGNORED)                                                                                    \
     WORD("tit$le", SET_TITLE)                                                                                          \
     WORD("tm$argin", SET_IGNORED)                                                                                      \
-    WORD("tr$ange", SET_IGNORED)                                                                                       \
+    WORD("tr$ange", SET_TRANGE)                                                                                        \
     WORD("tti$cs", SET_IGNORED)                                                                                        \
     WORD("ur$ange", SET_URANGE)                                                                                        \
     WORD("v$ariables", SET_VARIABLES)                                                                                  \

@@ -60,6 +60,8 @@ enum set_id {
     SET_POLAR, /* this and the next are ignored, but plots are refused while they are set */
     SET_LOGSCALE,
     SET_NONLINEAR,
+    SET_MAPPING,
+    SET_TRANGE,
     SET_URANGE, /* these two are ignored without parametric surfaces */
     SET_VRANGE,
     SET_SAMPLES,

@@ -1,7 +1,7 @@
 /* data_reader.c - what rows, blank lines and matrices mean; the characters are field.c's, the grid data_grid.c's. */
 #include "scene/data_reader.h"
 #include "error.h"
-#include "scene/log_scale.h"
+#include "scene/data_place.h"
 
 void data_spec_default(data_spec_t *spec) {
     *spec = (data_spec_t){.set_step = 1, .last_set = INT32_MAX};
@@ -142,14 +142,6 @@ static num_t part_value(data_reader_t *r, int32_t k) {
     return r->column[c];
 }
 
-static inline num_t converted(const data_spec_t *s, int axis, num_t v) {
-#if CONFIG_LOGSCALE
-    return s->log_base ? log_scale(s->log_base[axis], v) : v;
-#else
-    return (void)s, (void)axis, v;
-#endif
-}
-
 /* One point of the wanted set: its columns are in place. */
 static int point(data_reader_t *r) {
     const data_spec_t *s = r->spec;
@@ -168,14 +160,18 @@ static int point(data_reader_t *r) {
             x = s->parts ? part_value(r, 0) : r->column[1];
         y = s->parts ? part_value(r, r->parts - 1) : r->column[r->parts];
         r->kept_point++;
-        x = converted(s, 0, x);
-        y = converted(s, 1, y);
-        return data_curve_point(r->curve, x, y) ? refuse(r, DATA_FULL, 0) : 0;
+        num_t p[3] = {x, y, y};
+        data_place(s, p);
+        return data_curve_point(r->curve, p[0], p[1]) ? refuse(r, DATA_FULL, 0) : 0;
     }
     if (r->parts == 1) {
         x = num_from_i64(r->kept_point);
         y = num_from_i64(r->kept_block);
         z = s->parts ? part_value(r, 0) : r->column[1];
+    } else if (CONFIG_SAMPLED && r->parts == 2) { /* on a sphere or cylinder of radius 1 */
+        x = s->parts ? part_value(r, 0) : r->column[1];
+        y = s->parts ? part_value(r, 1) : r->column[2];
+        z = num_from_i64(1);
     } else if (s->parts) {
         x = part_value(r, 0);
         y = part_value(r, 1);
@@ -186,7 +182,9 @@ static int point(data_reader_t *r) {
         z = r->column[3];
     }
     r->kept_point++;
-    return take(r, STEP_POINT, (const num_t[3]){converted(s, 0, x), converted(s, 1, y), converted(s, 2, z)});
+    num_t p[3] = {x, y, z};
+    data_place(s, p);
+    return take(r, STEP_POINT, p);
 }
 
 static uint64_t wanted_columns(const data_reader_t *r) {
@@ -202,8 +200,9 @@ static int row(data_reader_t *r) {
         return 0;
     }
     if (!r->parts) {
-        if (r->field.count == 2 && !s->flat) return refuse(r, DATA_TWO_COLUMNS, 0);
-        r->parts = r->field.count == 1 ? 1 : s->flat ? 2 : 3;
+        const bool two = r->field.count == 2 && !s->flat;
+        if (two && !data_is_mapped(s)) return refuse(r, DATA_TWO_COLUMNS, 0);
+        r->parts = r->field.count == 1 ? 1 : two || s->flat ? 2 : 3;
     }
     uint64_t wanted = wanted_columns(r);
     for (int32_t c = 1; c <= CONFIG_DATA_COLUMNS; c++) {
@@ -302,6 +301,18 @@ int data_reader_feed(data_reader_t *r, const char *text, size_t n) {
     }
     return 0;
 }
+
+#if CONFIG_SAMPLED
+int data_reader_row(data_reader_t *r, const num_t *v, int32_t n) {
+    for (int32_t c = 1; c <= n; c++) r->column[c] = v[c - 1];
+    r->field.count = n;
+    return row(r);
+}
+
+int data_reader_break(data_reader_t *r) {
+    return end_block(r);
+}
+#endif
 
 int data_reader_finish(data_reader_t *r) {
     while (!r->stopped) {

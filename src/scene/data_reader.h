@@ -24,6 +24,14 @@ enum data_format { DATA_ROWS, DATA_MATRIX, DATA_NONUNIFORM };
 #define USING_BLOCK (-1) /* number of the block */
 #define USING_SET (-2)   /* number of the data set */
 
+/* Where the first three (curves: two) columns are: set mapping, set polar. */
+enum data_mapping {
+    DATA_CARTESIAN,
+    DATA_POLAR,       /* angle, radius */
+    DATA_CYLINDRICAL, /* angle, z, radius (1) */
+    DATA_SPHERICAL,   /* longitude, latitude, radius (1) */
+};
+
 /* What `using`, `index`, `every` and `matrix` say. */
 typedef struct data_spec {
     enum data_format format;
@@ -36,6 +44,10 @@ typedef struct data_spec {
     bool all;        /* expressions may look at any column */
     int32_t first_set, last_set, set_step;                                            /* index: 0, INT32_MAX, 1 */
     int32_t point_step, block_step, first_point, first_block, last_point, last_block; /* every: 1,1,0,0,MAX,MAX */
+#if CONFIG_SAMPLED
+    enum data_mapping mapping;
+    bool degrees; /* its angles */
+#endif
 #if CONFIG_LOGSCALE
     const num_t *log_base; /* [3], as log_scale() has it: x, y and z are logarithms; or NULL */
 #endif
@@ -83,6 +95,11 @@ void data_reader_start(data_reader_t *r, const data_spec_t *spec, data_pool_t *p
 /* Takes n characters. Returns 0, or ERR_DATA or ERR_FULL: trouble, line and at say why and where. Once stopped is set
  * the rest is not looked at. */
 int data_reader_feed(data_reader_t *r, const char *text, size_t n);
+#if CONFIG_SAMPLED
+/* In place of text: a row of n numbers; a blank line. */
+int data_reader_row(data_reader_t *r, const num_t *v, int32_t n);
+int data_reader_break(data_reader_t *r);
+#endif
 /* The end of the data. Returns the number of grids (1 for a curve; with in_isolines there may be none), or an error;
  * ERR_EMPTY when there was no point at all. */
 int data_reader_finish(data_reader_t *r);
