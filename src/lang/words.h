@@ -2,8 +2,8 @@
  *
  * A table is searched from its start and the first match counts, as in gnuplot, so its order decides what an
  * abbreviation that fits several words means. */
-#ifndef WORDS_H
-#define WORDS_H
+#ifndef LANG_WORDS_H
+#define LANG_WORDS_H
 
 #include "lang/lexer.h"
 
