@@ -4,6 +4,7 @@
 #include "app/say.h"
 #include "error.h"
 #include "hal/hal.h"
+#include "hidden/horizon.h"
 
 static void on_progress(void *ctx, enum picture_stage stage, int32_t done, int32_t of) {
     console_t *c = ctx;
@@ -25,12 +26,34 @@ static bool fits_machine(const settings_t *s) {
     return (!m->width_um || x_um <= m->width_um) && (!m->height_um || y_um <= m->height_um);
 }
 
-static int too_large(const console_t *c, const plot_t *plot) {
+/* Horizons grow with the points of a profile: fewer are tried until they fit, and half of those. */
+static size_t measure_profiles(console_t *c, const plot_t *plot, void *memory, picture_hooks_t *hooks) {
+    int32_t *samples = &c->session.settings.samples[0]; /* the plot's */
+    const int32_t all = *samples;
+    const hidden_stats_t *found = &c->picture.stats.hidden;
+    int64_t peak = 0, more = 10 * all;
+    int err = ERR_FULL;
+    while (err == ERR_FULL && (*samples /= 2) > 8)
+        err = picture_try(&c->picture, plot, memory, c->picture_bytes, hooks);
+    if (!err) {
+        const int32_t fit = *samples;
+        peak = found->peak_upper + found->peak_lower;
+        *samples /= 2;
+        picture_try(&c->picture, plot, memory, c->picture_bytes, hooks);
+        more = (peak - found->peak_upper - found->peak_lower) * (all - fit) / (fit - *samples);
+    }
+    *samples = all;
+    return horizon_bytes((int32_t)(peak + more));
+}
+
+/* After a trial that did not get through. */
+static int too_large(console_t *c, const plot_t *plot, void *memory, picture_hooks_t *hooks) {
     const picture_stats_t *stats = &c->picture.stats;
     const hidden_stats_t *found = &stats->hidden;
-    if (CONFIG_HALO && plot->settings->hidden == HIDDEN_HALO &&
-        found->edges > 0) { /* both are counted to the end, if begun */
-        say("The scene does not fit: ");
+    const enum hidden_mode hidden = plot->settings->hidden;
+    size_t needs;
+    say("The scene does not fit: ");
+    if (CONFIG_HALO && hidden == HIDDEN_HALO && found->edges > 0) { /* both are counted to the end, if begun */
         say_int(found->edges);
         say(" lines");
         if (found->crossings > 0) {
@@ -38,14 +61,17 @@ static int too_large(const console_t *c, const plot_t *plot) {
             say_int(found->crossings);
             say(" crossings");
         }
-        say(" need at least ");
         const size_t solids =
             plot->kind == PLOT_SOLIDS ? stats->map_bytes : 0; /* of surfaces they can be done without */
-        say_int((int64_t)(stats->kernel_bytes + solids + PATH_BYTES_MIN));
+        needs = stats->kernel_bytes + solids + PATH_BYTES_MIN;
     } else {
-        say("The scene does not fit: it may need ");
-        say_int((int64_t)picture_bytes_least(plot));
+        say("it");
+        needs = hidden == HIDDEN_HORIZON && plot->kind == PLOT_SURFACES ? measure_profiles(c, plot, memory, hooks)
+                                                                        : picture_needs(&c->picture);
     }
+    if (needs <= c->picture_bytes) needs = c->picture_bytes + c->picture_bytes / 16; /* it was not enough */
+    say(" may need ");
+    say_int((int64_t)needs);
     say(" bytes of memory, ");
     say_int((int64_t)c->picture_bytes);
     say(" are free. Nothing was drawn.\n");
@@ -69,7 +95,7 @@ static int find_share(console_t *c, const plot_t *plot, void *memory, picture_ho
         else
             share += share < PICTURE_SHARE_HIDING && c->picture.gave_all ? PICTURE_SHARE_STRIPS - share : 1;
     }
-    return too_large(c, plot);
+    return too_large(c, plot, memory, hooks);
 }
 
 #if CONFIG_AREA
@@ -112,7 +138,7 @@ static int draw(console_t *c, const plot_t *plot) {
     pen_sink_t pen = carriage_pen(&c->carriage);
     c->realtime.picture = &c->picture;
     err = picture_draw(&c->picture, plot, memory, c->picture_bytes, &pen, &hooks);
-    if (err == ERR_FULL && c->picture.stats.path.strokes == 0) too_large(c, plot);
+    if (err == ERR_FULL && c->picture.stats.path.strokes == 0) too_large(c, plot, memory, &hooks);
     err = carriage_end(&c->carriage, err, &c->stats);
     c->realtime.picture = NULL;
     return err;

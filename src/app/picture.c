@@ -274,14 +274,14 @@ bool picture_is_safe(const plot_t *plot, size_t bytes) {
     return hiding_bytes(plot, EACH_ROUGH, true) <= bytes / kernel_part(bytes);
 }
 
-size_t picture_bytes_least(const plot_t *plot) {
+size_t picture_needs(const picture_t *p) {
+    const plot_t *plot = p->plot;
     const enum hidden_mode hidden = plot->settings->hidden;
+    const size_t rest = PATH_BYTES_MIN + 32 + (p->pauses ? WAITING_BYTES(p->hooks->waiting) + 16 : 0);
     const bool boxes = CONFIG_SOLIDS && plot->kind == PLOT_SOLIDS && hidden != HIDDEN_HORIZON && hidden != HIDDEN_AREA;
-    if (boxes) return picture_boxes_bytes(plot) + 2 * PATH_BYTES_MIN;
-    const size_t rest = 2 * PATH_BYTES_MIN + WAITING_BYTES(CONFIG_WAITING) + 16;
-    if (!is_grid(plot) || plot->n > 1) return hiding_bytes(plot, EACH_ROUGH, false) + rest;
-    const surface_t *f = &plot->item[0].surface; /* in as many strips as there are */
-    return perimeter_bytes_least(f->nx, (f->nx + f->ny) * EACH_ROUGH / HIDDEN_STRIPS) + rest;
+    if (p->stats.hidden.needs) return p->stats.hidden.needs + rest;
+    if (boxes) return picture_solids_needs(p) + rest;
+    return hiding_bytes(plot, EACH_ROUGH, false) + rest;
 }
 
 picture_progress_t picture_progress(const picture_t *p) {

@@ -148,8 +148,8 @@ bool picture_pauses(const plot_t *plot);
 /* Is this memory, in its usual division, enough for all but freakish scenes of this size? Otherwise picture_try tells.
  */
 bool picture_is_safe(const plot_t *plot, size_t bytes);
-/* A block that is large enough also for random surfaces (up to 200 x 200), with nothing cached. */
-size_t picture_bytes_least(const plot_t *plot);
+/* About how large a block it would have needed, after picture_try has returned ERR_FULL. */
+size_t picture_needs(const picture_t *p);
 /* How much is drawn and how much there will be, as far as it can be told: exact once all is hidden. For picture_draw's
  * hooks and pen sink. */
 typedef struct picture_progress {

@@ -60,8 +60,20 @@ static mesh_t sum_of(const plot_t *plot, const meshes_t *m) {
     return sum;
 }
 
-/* Convex bodies whose edges have two faces each, of which half look at the eye; with haloes, a crossing an edge. */
-size_t picture_boxes_bytes(const plot_t *plot) {
+/* Faces of bodies that are not convex hide one by one. Before the scene is put together, bodies are counted by Euler's
+ * formula, and what has more than thirty faces is taken not to be convex. */
+static size_t lone_faces(const picture_t *p, const mesh_t *sum) {
+    const solid_t *s = &p->solid;
+    size_t n = 0;
+    if (p->stats.map_bytes == 0)
+        return sum->faces > 15 * (sum->nv - sum->corners / 2 + sum->faces) ? (size_t)sum->faces : 0;
+    for (int32_t k = 0; k < s->no; k++) n += s->object[k].kind == SOLID_CONVEX ? 0 : (size_t)s->object[k].faces;
+    return n;
+}
+
+/* Edges have two faces each, of which half look at the eye; with haloes, a crossing for two edges. */
+size_t picture_solids_needs(const picture_t *p) {
+    const plot_t *plot = p->plot;
     meshes_t m;
     list_meshes(plot, &m);
     const mesh_t sum = sum_of(plot, &m);
@@ -69,8 +81,10 @@ size_t picture_boxes_bytes(const plot_t *plot) {
     const size_t edges = corners / 2 + (size_t)sum.segments;
     const size_t kept = nv * sizeof(solid_vertex_t) + corners * sizeof(int32_t) +
                         faces * (sizeof(solid_face_t) + sizeof(solid_object_t)) + edges * sizeof(solid_edge_t);
-    const size_t hiding = plot->settings->hidden == HIDDEN_HALO ? HALO_BYTES(edges, edges) : 60 * faces + 8 * corners;
-    return kept + surfaces_bytes(plot) + SOLID_MAP_BYTES(sum.nv) + hiding + ONCE_BYTES(0);
+    const size_t hiding = plot->settings->hidden == HIDDEN_HALO
+                              ? edges * (HALO_BYTES_PER_EDGE_LEAST + HALO_BYTES_PER_CROSSING / 2)
+                              : 60 * faces + 8 * corners + 80 * lone_faces(p, &sum);
+    return kept + surfaces_bytes(plot) + SOLID_MAP_BYTES(sum.nv) + hiding;
 }
 
 size_t picture_solids_bytes(const plot_t *plot) {

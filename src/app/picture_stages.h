@@ -17,8 +17,8 @@ size_t picture_halo_bytes(const plot_t *plot, int32_t crossings_each);
 bool picture_is_solid(const plot_t *plot);
 /* Bytes that putting solids together and hiding their lines takes, but for freakish scenes. */
 size_t picture_solids_bytes(const plot_t *plot);
-/* Bytes that the kernel takes for a scene of boxes of that size, and so about what it takes at least. */
-size_t picture_boxes_bytes(const plot_t *plot);
+/* About what it takes in fact, after a trial that did not get through. */
+size_t picture_solids_needs(const picture_t *p);
 #if CONFIG_AREA
 /* Does `set hatch` count for it? */
 bool picture_is_hatched(const plot_t *plot);

@@ -146,8 +146,9 @@ static __attribute__((noinline)) int find_crossings(halo_ink_t *d, halo_t *h, in
     stats->crossings = err == 0 || h->crossings > 0 ? h->crossings : 0;
     stats->bytes = h->used;
     if (err != 0 && h->crossings <= 0) { /* it came to the edges, or to their grid */
-        stats->bytes = HALO_BYTES_PER_EDGE_LEAST * (size_t)stats->edges;
-        if (stats->bytes <= rest->bytes) stats->bytes = HALO_BYTES(stats->edges, 0);
+        /* As many as there are usually: of a grid, whose back shows through, five for two edges. */
+        const size_t crossings = (size_t)stats->edges * (v->ink.family == INK_SEGMENT ? 1 : 5) / 2;
+        stats->bytes = HALO_BYTES_PER_EDGE_LEAST * (size_t)stats->edges + HALO_BYTES_PER_CROSSING * crossings;
     }
     stats->bytes += HIDDEN_LENT(halo_ink_t) + HIDDEN_LENT(halo_t);
     d->edge = -1;

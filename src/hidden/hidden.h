@@ -74,6 +74,7 @@ typedef struct hidden_stats {
     int32_t strips;                 /* one after the other, 1 if there were none */
     int32_t windows;                /* most windows between them (windows.h) */
     size_t bytes;                   /* lent memory that was used, at its peak */
+    size_t needs; /* after ERR_FULL: about what would have been enough, going on as it went until then; 0: not known */
 } hidden_stats_t;
 
 #endif

@@ -153,6 +153,7 @@ static int draw(grid_t *const grid[], int32_t n, const camera_t *cam, const hidd
             strips->ends |= (uint16_t)(1u << ((from + to) / 2 - 1));
             err = 0;
         } else {
+            if (err == ERR_FULL) stats->needs = HIDDEN_LENT(sweep_t) + sweep_needs(s, grid[0], job, n);
             from = to;
             stats->strips++;
         }

@@ -17,12 +17,13 @@
 
 typedef struct lender {
     uint8_t *mem;
-    size_t left;
+    size_t left, asked;
 } lender_t;
 
 static void *lend(lender_t *l, size_t bytes) {
     const size_t whole = (bytes + 7) / 8 * 8;
     void *at = l->mem;
+    l->asked += whole;
     if (l->mem == NULL || l->left < whole) {
         l->mem = NULL;
         return NULL;
@@ -80,7 +81,7 @@ int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam,
                enum edges_cover cover) {
     const bool windows = cover == COVER_WINDOWS;
     const size_t nx = (size_t)grid[0]->nx;
-    lender_t from = {job->mem, job->bytes};
+    lender_t from = {job->mem, job->bytes, 0};
     edges_t *e = &s->edges;
     s->pause = job->pause;
     s->layers = n;
@@ -90,6 +91,7 @@ int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam,
     chart_init(&e->chart, grid, n, cam, column);
     from.mem = (uint8_t *)(void *)column; /* what it does not use is for the horizons */
     from.left += (nx * sizeof(chart_column_t) + 7) / 8 * 8;
+    from.asked -= (nx * sizeof(chart_column_t) + 7) / 8 * 8;
     lend(&from, chart_column_bytes(&e->chart));
     size_t points = nx;
     if (cover == COVER_STRIP) {
@@ -100,6 +102,7 @@ int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam,
         layer_t *l = &s->layer[m];
         *l = (layer_t){.grid = grid[m], .surface = (uint8_t)m};
         lay_out(l, &from, nx, points, e->chart.kind == CHART_AROUND, windows);
+        s->fixed = from.asked;
         if (from.mem == NULL) return ERR_FULL;
         for (size_t i = 0; i < nx; i++) l->column_run[i] = (run_t){0, 0};
         l->seen = chart_seen(&e->chart, grid[m]);
@@ -110,8 +113,8 @@ int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam,
         e->sheet = lend(&from, (size_t)n * sizeof(edges_sheet_t));
         e->behind = lend(&from, WINDOWS_PARTS * sizeof(windows_part_t));
     }
+    s->fixed = from.asked;
     if (from.mem == NULL) return ERR_FULL;
-    s->fixed = job->bytes - from.left;
     e->several = n > 1;
     return edges_init(e, job->sink, cover, s->layer[0].seen, (pencil_t *)(void *)from.mem,
                       from.left / sizeof(pencil_t));
@@ -192,6 +195,7 @@ int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row) {
         for (int32_t j = up ? c->j0 : c->j0 - 1; j >= 0 && j < rows && err == 0; j += up ? 1 : -1) {
             if (j != c->j0) step(s, up, j);
             err = row(s, up, j == c->j0);
+            s->rows += err == 0;
             if (err == 0) err = hidden_pause(s->pause);
             if (err == 0) err = flush_rows(s);
             if (j == c->j0) keep_done(s, false);
@@ -199,6 +203,17 @@ int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row) {
         }
     }
     return err != 0 ? err : flush_columns(s);
+}
+
+size_t sweep_needs(const sweep_t *s, const grid_t *g, const hidden_job_t *job, int32_t layers) {
+    const int32_t strips = s->of / (s->to - s->from), usual = (layers > 1 ? 18 : 6) * (g->nx + g->ny) / strips;
+    size_t fixed = s->fixed, more = (size_t)usual * sizeof(pencil_t);
+    if (fixed == 0) /* it did not come to its rows */
+        fixed = (size_t)layers * (size_t)g->nx * (sizeof(run_t) + 2 * sizeof(pencil_t) / (size_t)strips) +
+                (size_t)g->nx * sizeof(chart_column_t);
+    if (s->rows > 0) /* what it had grew until then */
+        more = (size_t)((uint64_t)(job->bytes - fixed) * (uint64_t)(g->ny - 1) / (uint64_t)s->rows);
+    return fixed + more;
 }
 
 void sweep_account(const sweep_t *s, hidden_stats_t *stats) {

@@ -50,6 +50,7 @@ typedef struct sweep {
 #endif
     const hidden_pause_t *pause;
     int64_t facets;
+    int32_t rows; /* of facets that are done */
     size_t fixed; /* bytes of lent memory before the horizons */
 } sweep_t;
 
@@ -67,6 +68,9 @@ int sweep_init(sweep_t *s, grid_t *const grid[], int32_t n, const camera_t *cam,
 
 /* The whole sweep. Returns 0 or the first error of row or the sink. */
 int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row);
+
+/* About what it would have taken of job's memory, after ERR_FULL. */
+size_t sweep_needs(const sweep_t *s, const grid_t *g, const hidden_job_t *job, int32_t layers);
 
 /* Adds what the sweep took to stats, zero before the first sweep; evaluated is the caller's. */
 void sweep_account(const sweep_t *s, hidden_stats_t *stats);

@@ -11,7 +11,7 @@ scene halo_ends 2
 scene cubes_many 2
 says 'The scene does not fit: it may need [0-9]* bytes of memory, N are free. Nothing was drawn.'
 scene halo_many 2
-says '18 lines with [0-9]+ crossings need at least [0-9]+ bytes of memory, N are free. Nothing was drawn.'
+says '18 lines with [0-9]+ crossings may need [0-9]+ bytes of memory, N are free. Nothing was drawn.'
 scene accel 2
 says 'accel too high for this board at these steps per mm; most mm/s.2 .600.'
 scene rate 2 # as fast as `set machine` lets it
