@@ -6,7 +6,8 @@
  * shadow: the points behind all planes of faces that look at the eye, and inside all planes through the eye and an edge
  * of its outline. That makes his special cases one rule each:
  *
- *     in the plane of a face that looks at the eye    not hidden: edges that touch the object without crossing it
+ *     in the plane of a face that looks at the eye    not hidden: edges that touch the object without crossing it; one
+ *                                                     that ends there is hidden up to its end
  *     in the plane through the eye and an outline     hidden if behind: what falls together with a nearer line, or
  *                                                     lies behind the seam of two faces, is not drawn
  *     edge of the object itself                       visible if one of its faces looks at the eye, else hidden;

@@ -1,11 +1,10 @@
 /* shadow.c - a segment against a shadow: a clip by planes, in space.
  *
- * Bits: n . p of a front plane 2^87; the normal of a plane through the eye and two vertices, a difference times e - p
- * w, 2^80, times a difference 2^110. All signs are exact. */
-#include "hidden/shadow.h"
-
+ * Bits: n . p of a front plane 2^87; of a plane through the eye and two vertices, the product of two differences 2^57
+ * times e - p w, 2^110. All signs are exact. */
+#include "hidden/shadow_sides.h"
 #include "num/ints.h"
-#include "scene/solid_math.h"
+#include "view/solid_side.h"
 
 /* Parts of the line left and right of which it is not hidden. */
 typedef struct clip {
@@ -40,19 +39,46 @@ static bool clip_by(clip_t *c, wide_t a, wide_t b, int sign_a, int sign_b) {
     return c->from < c->to;
 }
 
-static wide_t plane_at(const shadow_plane_t *p, const solid_vertex_t *v) {
-    return wide_sub(wide_dot3(p->n, v->at), p->c);
+/* The value of a plane at an end of the line, but for what it is off (shadow.h). */
+static inline int64_t plane_near(const shadow_plane_t *p, const solid_vertex_t *v) {
+    return wide_mul_s32(p->n[0], v->at[0]) + wide_mul_s32(p->n[1], v->at[1]) + wide_mul_s32(p->n[2], v->at[2]) - p->c;
 }
 
-/* Touching is not hidden. */
+static inline int64_t plane_slack(const shadow_plane_t *p) {
+    return (int64_t)(solid_abs(p->n[0]) + solid_abs(p->n[1]) + solid_abs(p->n[2])) * SOLID_FLAT;
+}
+
+/* Where it is not sure. Returns whether a part is behind. */
+static bool clip_by_plane(const shadows_t *s, const shadow_t *shadow, int32_t face, const solid_vertex_t *const end[2],
+                          clip_t *c) {
+    const solid_vertex_t *on;
+    solid_normal_t n;
+    if (face >= 0) {
+        n = solid_face_normal(s->map->solid, face);
+        on = shadow_corner(s, face, 0);
+        for (int k = 0; k < 3 && shadow_side_of(s, face) == SHADOW_AWAY; k++) n.n[k] = -n.n[k];
+    } else {
+        const solid_vertex_t *vertex = s->map->solid->vertex;
+        const shadow_edge_t *e = &s->outline[shadow->outline];
+        on = &vertex[e[0].p];
+        n = solid_cross(solid_sub(&vertex[e[0].q], on), solid_sub(&vertex[e[1].q], on));
+    }
+    const wide_t slack = solid_slack(&n), a = wide_add(solid_dot(&n, solid_sub(end[0], on)), slack),
+                 b = wide_add(solid_dot(&n, solid_sub(end[1], on)), slack), twice = wide_add(slack, slack);
+    const int sign_a = wide_sign(a), sign_b = wide_sign(b);
+    if (sign_a >= 0 && sign_b >= 0) return false;
+    return (wide_cmp(a, twice) <= 0 && wide_cmp(b, twice) <= 0) || clip_by(c, a, b, sign_a, sign_b);
+}
+
+/* Touching is not hidden, and a line that ends in touching does not cross. */
 static bool clip_by_planes(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, clip_t *c) {
-    const solid_vertex_t *vertex = s->map->solid->vertex;
-    for (int32_t k = 0; k < shadow->planes; k++) {
-        const shadow_plane_t *p = &s->plane[shadow->plane + k];
-        wide_t a = plane_at(p, &vertex[line->v[0]]), b = plane_at(p, &vertex[line->v[1]]);
-        int sign_a = wide_sign(a), sign_b = wide_sign(b);
-        if (sign_a >= 0 && sign_b >= 0) return false;
-        if (!clip_by(c, a, b, sign_a, sign_b)) return false;
+    const solid_vertex_t *vertex = s->map->solid->vertex, *const end[2] = {&vertex[line->v[0]], &vertex[line->v[1]]};
+    const shadow_plane_t *p = &s->plane[shadow->plane];
+    for (int32_t k = 0; k < shadow->planes; k++, p++) {
+        const int64_t a = plane_near(p, end[0]), b = plane_near(p, end[1]), least = a < b ? a : b, most = a < b ? b : a;
+        if (least >= SHADOW_NEAR) return false;
+        if (least <= -SHADOW_NEAR && most <= 2 * plane_slack(p) - SHADOW_NEAR) continue;
+        if (!clip_by_plane(s, shadow, p->face, end, c)) return false;
     }
     return true;
 }
@@ -85,31 +111,19 @@ static bool is_outside(const shadows_t *s, const shadow_t *shadow, const shadow_
     return false;
 }
 
-/* d times a number of 51 bits and more, minus the like. */
-static wide_t minor(int32_t a, int64_t b, int32_t c, int64_t d) {
-    return wide_sub(wide_mul_s64(b, a), wide_mul_s64(d, c));
-}
-
-/* n 2^80, d 2^28. */
-static wide_t dot(const wide_t n[3], solid_delta_t d) {
-    wide_t sum = wide_add(wide_times_s32(n[0], d.d[0]), wide_times_s32(n[1], d.d[1]));
-    return wide_add(sum, wide_times_s32(n[2], d.d[2]));
-}
-
 /* In the plane itself is inside: behind the outline, or behind the seam of two faces. */
 static bool clip_by_outline(const shadows_t *s, const shadow_edge_t *e, const shadow_line_t *line, clip_t *c) {
     const solid_vertex_t *vertex = s->map->solid->vertex, *p = &vertex[e->p];
-    const solid_eye_t *eye = &s->map->eye;
     const solid_delta_t u = solid_sub(&vertex[e->q], p);
-    int64_t v[3];
-    for (int k = 0; k < 3; k++) v[k] = eye->e[k] - p->at[k] * eye->w;
-    const wide_t n[3] = {minor(u.d[1], v[2], u.d[2], v[1]), minor(u.d[2], v[0], u.d[0], v[2]),
-                         minor(u.d[0], v[1], u.d[1], v[0])};
-    wide_t a = dot(n, solid_sub(&vertex[line->v[0]], p)), b = dot(n, solid_sub(&vertex[line->v[1]], p));
-    int sign_a = wide_sign(a), sign_b = wide_sign(b);
+    wide_t at[2]; /* (u x (eye - p)) . d = (d x u) . (eye - p) */
+    for (int i = 0; i < 2; i++) {
+        const solid_normal_t n = solid_cross(solid_sub(&vertex[line->v[i]], p), u);
+        at[i] = solid_eye_dot(s->map, &n, p);
+    }
+    int sign_a = wide_sign(at[0]), sign_b = wide_sign(at[1]);
     if (sign_a == 0 && sign_b == 0) return true;
     if (sign_a >= 0 && sign_b >= 0) return false;
-    return clip_by(c, a, b, sign_a, sign_b);
+    return clip_by(c, at[0], at[1], sign_a, sign_b);
 }
 
 bool shadow_hides(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, int32_t *from, int32_t *to) {

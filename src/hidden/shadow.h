@@ -5,7 +5,11 @@
  * in it. The shadows of a scene are those of convex objects with up to SHADOW_FACES_MOST faces, of the faces of others
  * one by one, and of triangles where a face is not convex or not flat.
  *
- * Memory: SHADOW_BYTES() at most; in use afterwards 48 bytes a shadow, 40 a plane, 8 an edge of an outline, 1 a face.
+ * Which side of a plane an end is on is mostly clear from 30 bits of the plane's normal, which are kept; the exact
+ * plane is made again from its face where a segment crosses it or comes near. In the same way the outline is first held
+ * against the line's picture, and only what crosses it there is decided in space.
+ *
+ * Memory: SHADOW_BYTES() at most; in use afterwards 48 bytes a shadow, 24 a plane, 8 an edge of an outline, 1 a face.
  */
 #ifndef SHADOW_H
 #define SHADOW_H
@@ -15,11 +19,14 @@
 
 #define SHADOW_FACES_MOST 48 /* beyond, faces one by one are faster: the page grid leaves most of them alone */
 
-/* n . p - c < 0 behind the plane; touching is taken off c already. */
+/* n . p - c < 0 behind the plane, as far as 30 bits of its normal tell: off by less than SHADOW_NEAR. Touching is taken
+ * off c already. */
 typedef struct shadow_plane {
-    int64_t n[3];
-    wide_t c;
+    int64_t c;
+    int32_t n[3];
+    int32_t face; /* whose it is; -1: of the triangle that the outline is */
 } shadow_plane_t;
+#define SHADOW_NEAR ((int64_t)1 << (SOLID_BITS + 2))
 
 typedef struct shadow {
     int32_t plane, planes;

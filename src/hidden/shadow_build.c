@@ -22,31 +22,16 @@ typedef struct counts {
     int64_t parts, planes, outlines;
 } counts_t;
 
-static counts_t count(const shadows_t *s) {
-    const solid_t *solid = s->map->solid;
-    counts_t c = {0, 0, 0};
-    for (int32_t o = 0; o < solid->no; o++) c.parts += (s->object[o] & SHADOW_WHOLE) != 0;
-    for (int32_t f = 0; f < solid->nf; f++) {
-        if (s->face[f] & SHADOW_WHOLE) {
-            c.planes += s->face[f] & SHADOW_FRONT;
-        } else if (is_part(s, f)) {
-            int32_t n = solid->face[f].n;
-            bool bent = s->face[f] & SHADOW_BENT;
-            c.parts += bent ? n - 2 : 1;
-            c.planes += bent ? n - 2 : 1;
-            c.outlines += bent ? 3 * (n - 2) : n;
-        }
-    }
-    for (int32_t e = 0; e < solid->ne; e++) c.outlines += is_outline(s, &solid->edge[e]);
-    return c;
-}
-
 /* n . p - c < 0 behind; the slack makes what is near the plane lie in front. */
 static void set_plane(shadow_plane_t *plane, const solid_normal_t *n, const solid_vertex_t *p, bool turned) {
-    static const solid_vertex_t zero;
     solid_normal_t m = *n;
-    for (int k = 0; k < 3; k++) plane->n[k] = m.n[k] = turned ? -n->n[k] : n->n[k];
-    plane->c = wide_sub(solid_dot(&m, solid_sub(p, &zero)), solid_slack(&m));
+    for (int k = 0; k < 3 && turned; k++) m.n[k] = -m.n[k];
+    solid_shorten(&m);
+    plane->c = 0;
+    for (int k = 0; k < 3; k++) {
+        plane->n[k] = (int32_t)m.n[k];
+        plane->c += wide_mul_s32(plane->n[k], p->at[k]) - (int64_t)solid_abs(m.n[k]) * SOLID_FLAT;
+    }
 }
 
 /* Adds a vertex to the picture's box. */
@@ -69,23 +54,24 @@ static void finish_box(shadow_t *part) {
 static const shadow_t EMPTY = {
     .x0 = INT32_MAX, .y0 = INT32_MAX, .x1 = INT32_MIN, .y1 = INT32_MIN, .z = INT32_MAX, .seen = -1, .owner = INT32_MIN};
 
-/* One polygon of n corners; away: its other side is seen. */
-static shadow_t *add_polygon(shadows_t *s, counts_t *at, const int32_t *corner, int32_t n, const solid_normal_t *normal,
-                             bool away) {
+/* One polygon of n corners; away: its other side is seen. face: whose it is, -1 for a triangle of one. */
+static void add_polygon(shadows_t *s, counts_t *at, const int32_t *corner, int32_t n, const solid_normal_t *normal,
+                        bool away, int32_t face) {
     shadow_t *part = &s->list[at->parts++];
     *part = EMPTY;
+    if (face >= 0) part->owner = face;
     part->plane = (int32_t)at->planes++;
     part->planes = 1;
     part->outline = (int32_t)at->outlines;
     part->outlines = n;
     set_plane(&s->plane[part->plane], normal, &s->map->solid->vertex[corner[0]], away);
-    for (int32_t k = 0; k < n; k++) {
-        int32_t p = corner[k], q = corner[k + 1 < n ? k + 1 : 0];
-        s->outline[at->outlines++] = away ? (shadow_edge_t){q, p} : (shadow_edge_t){p, q};
-        stretch(s, part, p);
+    s->plane[part->plane].face = face;
+    for (int32_t k = 0; k < n; k++) { /* away: the other way round */
+        const int32_t from = away && k > 0 ? n - k : k, to = away ? n - 1 - k : k + 1 < n ? k + 1 : 0;
+        s->outline[at->outlines++] = (shadow_edge_t){corner[from], corner[to]};
+        stretch(s, part, corner[k]);
     }
     finish_box(part);
-    return part;
 }
 
 typedef struct filling {
@@ -100,7 +86,7 @@ static void add_triangle(void *ctx, const int32_t v[3]) {
     const solid_vertex_t *vertex = fill->s->map->solid->vertex;
     solid_normal_t n = solid_cross(solid_sub(&vertex[v[1]], &vertex[v[0]]), solid_sub(&vertex[v[2]], &vertex[v[0]]));
     int side = solid_side(fill->s->map, &n, &vertex[v[0]]);
-    if (side > 0 || (side < 0 && fill->open)) add_polygon(fill->s, &fill->at, v, 3, &n, side < 0);
+    if (side > 0 || (side < 0 && fill->open)) add_polygon(fill->s, &fill->at, v, 3, &n, side < 0, -1);
 }
 
 static int triangle_side(const shadows_t *s, const int32_t v[3]) {
@@ -140,66 +126,96 @@ static int add_bent(filling_t *fill, int32_t f, const solid_normal_t *n, void *s
     return err == 1 ? triangulate(solid, f, n, spare, bytes, add_triangle, fill) : err;
 }
 
-/* Faces one by one, cut into triangles where they must be. spare: what triangulate() needs. */
-static int fill_faces(filling_t *fill, void *spare, size_t bytes) {
-    const shadows_t *s = fill->s;
+/* Makes a shadow of each convex object, counts its planes and outlines, and all polygons'. part[o]: the number of
+ * object o's. */
+static counts_t count(shadows_t *s, int32_t *part) {
+    const solid_t *solid = s->map->solid;
+    counts_t c = {0, 0, 0};
+    for (int32_t o = 0; o < solid->no; o++) {
+        if (!(s->object[o] & SHADOW_WHOLE)) continue;
+        part[o] = (int32_t)c.parts;
+        s->list[c.parts] = EMPTY;
+        s->list[c.parts++].owner = ~o;
+    }
+    for (int32_t f = 0; f < solid->nf; f++) {
+        const uint8_t is = s->face[f] |= s->object[solid->face[f].object];
+        if (is & SHADOW_WHOLE) {
+            s->list[part[solid->face[f].object]].planes += is & SHADOW_FRONT;
+            c.planes += is & SHADOW_FRONT;
+        } else if (is_part(s, f)) {
+            const int32_t n = solid->face[f].n;
+            const bool bent = is & SHADOW_BENT;
+            c.parts += bent ? n - 2 : 1;
+            c.planes += bent ? n - 2 : 1;
+            c.outlines += bent ? 3 * (n - 2) : n;
+        }
+    }
+    for (int32_t k = 0; k < solid->ne; k++) {
+        const solid_edge_t *e = &solid->edge[k];
+        if (!is_outline(s, e)) continue;
+        s->list[part[solid->face[e->face[0]].object]].outlines++;
+        c.outlines++;
+    }
+    return c;
+}
+
+/* Lays out the planes and outlines of the first `parts`, which are objects; those of polygons follow. */
+static counts_t lay_out(shadows_t *s, int32_t parts) {
+    counts_t at = {parts, 0, 0};
+    for (int32_t k = 0; k < parts; k++) {
+        shadow_t *of = &s->list[k];
+        of->plane = (int32_t)at.planes;
+        of->outline = (int32_t)at.outlines;
+        at.planes += of->planes;
+        at.outlines += of->outlines;
+        of->planes = of->outlines = 0; /* in place so far */
+    }
+    return at;
+}
+
+static void fill_face(shadows_t *s, shadow_t *of, int32_t f) {
+    const solid_face_t *face = &s->map->solid->face[f];
+    /* of what is in front of the eye, the outline and the nearest vertex are ends of faces that look at it */
+    if (s->face[f] & SHADOW_FRONT || s->map->any_behind)
+        for (int32_t k = 0; k < face->n; k++) stretch(s, of, s->map->solid->corner[face->corner + k]);
+    if (!(s->face[f] & SHADOW_FRONT)) return;
+    const solid_normal_t n = solid_face_normal(s->map->solid, f);
+    shadow_plane_t *plane = &s->plane[of->plane + of->planes++];
+    set_plane(plane, &n, shadow_corner(s, f, 0), false);
+    plane->face = f;
+}
+
+/* Planes and boxes, and of faces one by one, cut into triangles where they must be, all. spare: what triangulate()
+ * needs. */
+static int fill_faces(filling_t *fill, const int32_t *part, void *spare, size_t bytes) {
+    shadows_t *s = fill->s;
     const solid_t *solid = s->map->solid;
     for (int32_t f = 0; f < solid->nf; f++) {
         const solid_face_t *face = &solid->face[f];
-        if (!is_part(s, f)) continue;
-        solid_normal_t n = solid_face_normal(solid, f);
-        if (s->face[f] & SHADOW_BENT) {
-            int err = add_bent(fill, f, &n, spare, bytes);
+        if (s->face[f] & SHADOW_WHOLE) {
+            fill_face(s, &s->list[part[face->object]], f);
+        } else if (is_part(s, f)) {
+            solid_normal_t n = solid_face_normal(solid, f);
+            int err = 0;
+            if (s->face[f] & SHADOW_BENT)
+                err = add_bent(fill, f, &n, spare, bytes);
+            else
+                add_polygon(s, &fill->at, solid->corner + face->corner, face->n, &n,
+                            shadow_side_of(s, f) == SHADOW_AWAY, f);
             if (err) return err;
-        } else {
-            const int32_t *corner = solid->corner + face->corner;
-            add_polygon(fill->s, &fill->at, corner, face->n, &n, shadow_side_of(s, f) == SHADOW_AWAY)->owner = f;
         }
     }
     return 0;
 }
 
-/* Convex objects: part[o] is the number of object o's. */
-static void fill_objects(shadows_t *s, counts_t *at, int32_t *part) {
+static void fill_outlines(shadows_t *s, const int32_t *part) {
     const solid_t *solid = s->map->solid;
-    for (int32_t o = 0; o < solid->no; o++) {
-        if (!(s->object[o] & SHADOW_WHOLE)) continue;
-        part[o] = (int32_t)at->parts;
-        s->list[at->parts] = EMPTY;
-        s->list[at->parts++].owner = ~o;
-    }
-    for (int32_t f = 0; f < solid->nf; f++) {
-        if (!(s->face[f] & SHADOW_WHOLE)) continue;
-        shadow_t *of = &s->list[part[solid->face[f].object]];
-        of->planes += s->face[f] & SHADOW_FRONT;
-        /* of what is in front of the eye, the outline and the nearest vertex are ends of faces that look at it */
-        if (!(s->face[f] & SHADOW_FRONT) && !s->map->any_behind) continue;
-        for (int32_t k = 0; k < solid->face[f].n; k++) stretch(s, of, solid->corner[solid->face[f].corner + k]);
-    }
-    for (int32_t e = 0; e < solid->ne; e++)
-        if (is_outline(s, &solid->edge[e])) s->list[part[solid->face[solid->edge[e].face[0]].object]].outlines++;
-    for (int32_t k = 0; k < at->parts; k++) {
-        shadow_t *of = &s->list[k];
-        finish_box(of);
-        of->plane = (int32_t)at->planes;
-        of->outline = (int32_t)at->outlines;
-        at->planes += of->planes;
-        at->outlines += of->outlines;
-        of->planes = of->outlines = 0;
-    }
-    for (int32_t f = 0; f < solid->nf; f++) {
-        if (!(s->face[f] & SHADOW_WHOLE) || !(s->face[f] & SHADOW_FRONT)) continue;
-        shadow_t *of = &s->list[part[solid->face[f].object]];
-        solid_normal_t n = solid_face_normal(solid, f);
-        set_plane(&s->plane[of->plane + of->planes++], &n, shadow_corner(s, f, 0), false);
-    }
     for (int32_t k = 0; k < solid->ne; k++) {
         const solid_edge_t *e = &solid->edge[k];
         if (!is_outline(s, e)) continue;
         shadow_t *of = &s->list[part[solid->face[e->face[0]].object]];
-        bool up = s->face[e->face[0]] & SHADOW_FRONT;
-        s->outline[of->outline + of->outlines++] =
-            up ? (shadow_edge_t){e->v[0], e->v[1]} : (shadow_edge_t){e->v[1], e->v[0]};
+        const int up = s->face[e->face[0]] & SHADOW_FRONT;
+        s->outline[of->outline + of->outlines++] = (shadow_edge_t){e->v[!up], e->v[up]};
     }
 }
 
@@ -217,22 +233,26 @@ static void *take(uint8_t **at, const uint8_t *end, int64_t n, size_t size) {
 int shadows_build(shadows_t *s, const solid_map_t *map, void *mem, size_t bytes) {
     const solid_t *solid = map->solid;
     *s = (shadows_t){.map = map};
-    uint8_t *at = mem, *end = at + bytes;
+    uint8_t *at = mem, *end = at + (bytes & ~(size_t)7);
     s->face = take(&at, end, solid->nf, 1);
     s->object = take(&at, end, solid->no, 1);
     if (!at) return ERR_FULL;
-    shadow_sides_find(s);
-    counts_t c = count(s);
-    s->list = take(&at, end, c.parts, sizeof *s->list);
+    const int32_t whole = shadow_sides_find(s);
+    s->list = (shadow_t *)(void *)at;
+    const size_t room = (size_t)(end - at), parts_bytes = ((size_t)solid->no * sizeof(int32_t) + 7) & ~(size_t)7;
+    if (room < parts_bytes + (size_t)whole * sizeof *s->list) return ERR_FULL;
+    end -= parts_bytes;
+    int32_t *part = (int32_t *)(void *)end;
+    const counts_t c = count(s, part);
+    take(&at, end, c.parts, sizeof *s->list);
     s->plane = take(&at, end, c.planes, sizeof *s->plane);
     s->outline = take(&at, end, c.outlines, sizeof *s->outline);
-    uint8_t *spare = at; /* used and given back */
-    int32_t *part = take(&at, end, solid->no, sizeof *part);
     if (!at) return ERR_FULL;
-    filling_t fill = {.s = s};
-    fill_objects(s, &fill.at, part);
-    int err = fill_faces(&fill, spare, (size_t)(end - spare));
+    filling_t fill = {.s = s, .at = lay_out(s, whole)};
+    int err = fill_faces(&fill, part, at, (size_t)(end - at));
+    fill_outlines(s, part);
+    for (int32_t k = 0; k < whole; k++) finish_box(&s->list[k]);
     s->n = (int32_t)fill.at.parts;
-    s->bytes = (size_t)(spare - (uint8_t *)mem);
+    s->bytes = (size_t)(at - (uint8_t *)mem);
     return err;
 }

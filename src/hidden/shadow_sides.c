@@ -4,14 +4,35 @@
 #include "num/wide.h"
 #include "view/solid_side.h"
 
+/* Which side of a triangle or quadrilateral is seen in a parallel view, from its picture: the sign of its area, or 0
+ * if it is not sure. */
+static int side_on_page(const shadows_t *s, const solid_face_t *face) {
+    const solid_place_t *place = s->map->place;
+    const int32_t *c = s->map->solid->corner + face->corner, n = face->n;
+    if (s->map->eye.w != 0 || !s->map->all_good || n > 4) return 0;
+    const solid_place_t *a = &place[c[0]], *b = &place[c[1]], *d = &place[c[2]], *e = &place[c[n == 4 ? 3 : 0]];
+    /* diagonals, or sides: off by a lat and a hair */
+    const int64_t ux = d->x - a->x, uy = d->y - a->y, vx = e->x - b->x, vy = e->y - b->y, area = ux * vy - uy * vx;
+    const int64_t margin = (int64_t)(2 * (solid_abs(ux) + solid_abs(uy) + solid_abs(vx) + solid_abs(vy))) + 8;
+    return area > margin ? 1 : area < -margin ? -1 : 0;
+}
+
 static void find_sides(shadows_t *s) {
     const solid_t *solid = s->map->solid;
     for (int32_t f = 0; f < solid->nf; f++) {
-        solid_normal_t n = solid_face_normal(solid, f);
-        int side = solid_side(s->map, &n, shadow_corner(s, f, 0));
-        s->face[f] = side > 0 ? SHADOW_FRONT : side < 0 ? SHADOW_AWAY : SHADOW_EDGE_ON;
-        const bool known = solid->object[solid->face[f].object].kind == SOLID_CONVEX;
-        if (!known && !solid_face_is_convex(solid, f, &n)) s->face[f] |= SHADOW_BENT;
+        const solid_face_t *face = &solid->face[f];
+        const bool known = solid->object[face->object].kind == SOLID_CONVEX;
+        int side = known || face->n == 3 ? side_on_page(s, face) : 0;
+        bool bent = false;
+        if (side == 0) {
+            solid_normal_t n = solid_face_normal(solid, f);
+            side = solid_side(s->map, &n, shadow_corner(s, f, 0));
+            bent = !known && !solid_face_is_convex(solid, f, &n);
+        }
+        s->face[f] = (uint8_t)((side > 0   ? SHADOW_FRONT
+                                : side < 0 ? SHADOW_AWAY
+                                           : SHADOW_EDGE_ON) |
+                               (bent ? SHADOW_BENT : 0));
     }
 }
 
@@ -51,19 +72,21 @@ static void find_inside(shadows_t *s) {
         s->object[o] = (s->object[o] & (ODD | SEEN)) == SEEN ? solid->object[o].kind : SOLID_OPEN;
 }
 
-/* Kinds become flags, which faces take over. */
-static void set_flags(shadows_t *s) {
+/* Kinds become flags. Returns how many objects have one shadow. */
+static int32_t set_flags(shadows_t *s) {
     const solid_t *solid = s->map->solid;
+    int32_t wholes = 0;
     for (int32_t o = 0; o < solid->no; o++) {
         const bool whole = s->object[o] == SOLID_CONVEX && solid->object[o].faces <= SHADOW_FACES_MOST;
         s->object[o] = whole ? SHADOW_WHOLE : s->object[o] == SOLID_OPEN ? SHADOW_OPEN : 0;
         if (solid->object[o].smooth_q30) s->object[o] |= SHADOW_SMOOTH;
+        wholes += whole;
     }
-    for (int32_t f = 0; f < solid->nf; f++) s->face[f] |= s->object[solid->face[f].object];
+    return wholes;
 }
 
-void shadow_sides_find(shadows_t *s) {
+int32_t shadow_sides_find(shadows_t *s) {
     find_sides(s);
     find_inside(s);
-    set_flags(s);
+    return set_flags(s);
 }

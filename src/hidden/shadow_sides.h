@@ -4,8 +4,9 @@
 
 #include "hidden/shadow.h"
 
-/* Fills in s->face and s->object; s->map is set. */
-void shadow_sides_find(shadows_t *s);
+/* Fills in s->face, still without the flags of its object, and s->object; s->map is set. Returns how many objects are
+ * SHADOW_WHOLE. */
+int32_t shadow_sides_find(shadows_t *s);
 
 /* Of a face, without the flags. */
 static inline int32_t shadow_side_of(const shadows_t *s, int32_t f) {

@@ -63,8 +63,7 @@ bool solid_face_is_convex(const solid_t *s, int32_t face, const solid_normal_t *
     return true;
 }
 
-/* The normal's direction in 30 bits. */
-static void shorten(solid_normal_t *n) {
+void solid_shorten(solid_normal_t *n) {
     uint64_t most = solid_abs(n->n[0]) | solid_abs(n->n[1]) | solid_abs(n->n[2]);
     int shift = most ? 30 - (64 - ints_clz64(most)) : 0;
     for (int k = 0; k < 3; k++) n->n[k] = shift < 0 ? n->n[k] >> -shift : n->n[k] * ((int64_t)1 << shift);
@@ -86,8 +85,8 @@ bool solid_is_smooth(const solid_t *s, const solid_edge_t *e) {
     if (!least_q30) return false;
     if (least_q30 == MESH_GRID) return solid_is_across(s, e);
     solid_normal_t a = solid_face_normal(s, e->face[0]), b = solid_face_normal(s, e->face[1]);
-    shorten(&a);
-    shorten(&b);
+    solid_shorten(&a);
+    solid_shorten(&b);
     int64_t lengths = (int64_t)ints_sqrt_u64((uint64_t)product(&a, &a)) * ints_sqrt_u64((uint64_t)product(&b, &b));
     int64_t dot = product(&a, &b);
     return dot > 0 && dot >> 30 > (lengths >> 30) * least_q30 >> 30;

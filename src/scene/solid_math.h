@@ -40,6 +40,8 @@ static inline wide_t solid_slack(const solid_normal_t *n) {
 /* Twice the area of a face as a vector: its normal, outward where it runs outward. All zero for a face without an area,
  * or one so tangled that it has none. */
 solid_normal_t solid_face_normal(const solid_t *s, int32_t face);
+/* Its direction in 30 bits, rounded down where it had more. */
+void solid_shorten(solid_normal_t *n);
 /* Do all corners lie in a plane within SOLID_FLAT? */
 bool solid_face_is_flat(const solid_t *s, int32_t face, const solid_normal_t *normal);
 /* Is the face flat within SOLID_FLAT, and its polygon convex? */

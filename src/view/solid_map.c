@@ -85,11 +85,16 @@ static void setup_depth(solid_map_t *m) {
     for (int k = 0; k < 3; k++) m->z_row[k] = -m->eye.e[k];
 }
 
-static int64_t row_times(const solid_map_t *m, int r, const solid_vertex_t *v) {
+/* The lower half of a / 2^n, rounded down; 0 < n < 64. */
+static inline int64_t low_sar(wide_t a, int32_t n) {
+    return (int64_t)(a.lo >> n | (uint64_t)a.hi << (64 - n));
+}
+
+static inline int64_t row_times(const solid_map_t *m, int r, const solid_vertex_t *v) {
     const int64_t *a = m->row[r];
+    const int32_t bits = m->row_bits[r]; /* at most SOLID_BITS + 4 */
     wide_t sum = wide_dot3(a, v->at);
-    int32_t bits = m->row_bits[r];
-    if (bits > 0) sum = wide_sar(wide_add(sum, wide_shl((wide_t){0, 1}, bits - 1)), bits);
+    if (bits > 0) sum.lo = (uint64_t)low_sar(wide_add(sum, (wide_t){0, (uint64_t)1 << (bits - 1)}), bits);
     return (int64_t)(sum.lo + (uint64_t)a[3]);
 }
 
@@ -118,25 +123,25 @@ static int32_t perspective_depth(const solid_map_t *m, int64_t e) {
     return -(int32_t)ints_muldiv_round(m->lines.near_e, (int64_t)1 << SOLID_Z_BITS, e);
 }
 
+/* Where E is one and all is in front of the eye. */
+static inline int32_t place_flat(const solid_map_t *m, int64_t x) {
+    return limit((x + ((int64_t)1 << (m->lines.frac_bits - 1))) >> m->lines.frac_bits);
+}
+
 static solid_place_t place_of(const solid_map_t *m, const page_h_t *h) {
-    if (!m->lines.perspective) {
-        int64_t half = (int64_t)1 << (m->lines.frac_bits - 1);
-        return (solid_place_t){limit((h->x + half) >> m->lines.frac_bits), limit((h->y + half) >> m->lines.frac_bits),
-                               0};
-    }
+    if (!m->lines.perspective) return (solid_place_t){place_flat(m, h->x), place_flat(m, h->y), 0};
     return (solid_place_t){limit(ints_div_round(h->x, h->e)), limit(ints_div_round(h->y, h->e)),
                            perspective_depth(m, h->e)};
 }
 
 static solid_place_t place_vertex(const solid_map_t *m, int32_t v) {
+    if (!m->lines.perspective) {
+        const solid_vertex_t *at = &m->solid->vertex[v];
+        return (solid_place_t){place_flat(m, row_times(m, 0, at)), place_flat(m, row_times(m, 1, at)),
+                               (int32_t)low_sar(wide_dot3(m->z_row, at->at), m->z_shift)};
+    }
     page_h_t h = solid_map_vertex(m, v);
-    if (h.e < m->lines.near_e) return (solid_place_t){0, 0, INT32_MIN};
-    solid_place_t p = place_of(m, &h);
-    if (m->lines.perspective) return p;
-    const solid_vertex_t *at = &m->solid->vertex[v];
-    wide_t sum = wide_dot3(m->z_row, at->at);
-    p.z = (int32_t)wide_sar(sum, m->z_shift).lo;
-    return p;
+    return h.e < m->lines.near_e ? (solid_place_t){0, 0, INT32_MIN} : place_of(m, &h);
 }
 
 int solid_map_setup(solid_map_t *m, const solid_t *solid, const camera_t *cam, void *place) {
@@ -149,10 +154,13 @@ int solid_map_setup(solid_map_t *m, const solid_t *solid, const camera_t *cam, v
     if (err) return err;
     setup_rows(m);
     setup_depth(m);
+    bool all_good = true;
     for (int32_t v = 0; v < solid->nv; v++) {
         m->place[v] = place_vertex(m, v);
         m->any_behind |= solid_map_is_behind(m, v);
+        all_good = all_good && solid_map_is_good(m, v);
     }
+    m->all_good = all_good;
     return 0;
 }
 

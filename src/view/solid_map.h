@@ -45,6 +45,7 @@ typedef struct solid_map {
     int64_t z_row[3];
     solid_place_t *place; /* of each vertex */
     bool any_behind;
+    bool all_good; /* every vertex: solid_map_is_good */
     bool
         through; /* translucent faces are looked through: for the area sort they are not there, their edges are lines */
 } solid_map_t;
@@ -66,6 +67,7 @@ static inline bool solid_map_is_behind(const solid_map_t *m, int32_t v) {
 }
 /* Is it where x and y say, give or take half a lat: neither behind the eye nor beyond the limit? */
 static inline bool solid_map_is_good(const solid_map_t *m, int32_t v) {
+    if (m->all_good) return true;
     const solid_place_t *p = &m->place[v];
     return p->z != INT32_MIN && p->x > -SOLID_PLACE_MOST && p->x < SOLID_PLACE_MOST && p->y > -SOLID_PLACE_MOST &&
            p->y < SOLID_PLACE_MOST;

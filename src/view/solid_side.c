@@ -1,18 +1,12 @@
 /* solid_side.c - see solid_side.h. */
 #include "view/solid_side.h"
 
-static wide_t times(const solid_map_t *m, const solid_normal_t *n, const solid_vertex_t *p) {
-    wide_t sum = {0, 0};
-    for (int k = 0; k < 3; k++) sum = wide_add(sum, wide_mul_s64(n->n[k], m->eye.e[k] - p->at[k] * m->eye.w));
-    return sum;
-}
-
 int solid_side_exact(const solid_map_t *m, const solid_normal_t *n, const solid_vertex_t *p) {
-    return wide_sign(times(m, n, p));
+    return wide_sign(solid_eye_dot(m, n, p));
 }
 
 int solid_side(const solid_map_t *m, const solid_normal_t *n, const solid_vertex_t *p) {
-    const wide_t sum = times(m, n, p);
+    const wide_t sum = solid_eye_dot(m, n, p);
     const int sign = wide_sign(sum);
     if (m->eye.w == 0 || sign == 0) return sign;
     const uint64_t size = solid_abs(n->n[0]) + solid_abs(n->n[1]) + solid_abs(n->n[2]);

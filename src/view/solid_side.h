@@ -5,6 +5,12 @@
 #include "scene/solid_math.h"
 #include "view/solid_map.h"
 
+/* n . (eye - p), times the eye's w. */
+static inline wide_t solid_eye_dot(const solid_map_t *m, const solid_normal_t *n, const solid_vertex_t *p) {
+    wide_t sum = {0, 0};
+    for (int k = 0; k < 3; k++) sum = wide_add(sum, wide_mul_s64(n->n[k], m->eye.e[k] - p->at[k] * m->eye.w));
+    return sum;
+}
 /* The sign of n . (eye - p): exact. */
 int solid_side_exact(const solid_map_t *m, const solid_normal_t *n, const solid_vertex_t *p);
 /* The same, but 0 for an eye as near to the plane as its vertices may be off for being rounded (SOLID_FLAT): then it is
