@@ -6,6 +6,8 @@
 #include "hidden/shadow.h"
 
 #define PARTS_LEAST 16 /* visible parts of one edge there is room for at least */
+#define OFF 2          /* lat, and units of depth: places are rounded */
+#define NEAR_MOST 16   /* shadows near an object that are remembered while its edges are drawn */
 
 /* A visible part of the edge at hand: parameters. */
 typedef struct part {
@@ -17,20 +19,24 @@ typedef struct drawing {
     const ink_sink_t *sink, *hidden;
     hidden_stats_t *stats;
     shadows_t shadows;
-    page_grid_t grid;
-    part_t *part; /* in order, disjoint */
+    page_grid_t grid; /* not there (start) where shadows are few */
+    part_t *part;     /* in order, disjoint */
     int32_t parts, parts_max;
     int32_t edge;     /* at hand */
     int32_t owner[2]; /* what its first two faces belong to (shadow.h) does not hide it */
     shadow_line_t line;
-    page_box_t box; /* of the line's picture, and two lat for rounding */
-    int32_t z;      /* its farthest depth, and as much */
+    page_box_t box;     /* of the line's picture, and two lat for rounding */
+    int32_t z;          /* its farthest depth, and as much */
+    int32_t *near;      /* shadows that may hide edges of the one in `near_of`, NEAR_MOST */
+    int32_t nears;      /* of them; -1: too many */
+    int32_t near_of;    /* owner, or INT32_MAX */
     bool full;
 } drawing_t;
 
 size_t convex_bytes(int32_t faces, int32_t corners, int32_t segments) {
     (void)segments;
-    return SHADOW_BYTES(faces, corners) + (size_t)corners * 9 * sizeof(int32_t) + PARTS_LEAST * sizeof(part_t) + 256;
+    return SHADOW_BYTES(faces, corners) + (size_t)corners * 9 * sizeof(int32_t) + PARTS_LEAST * sizeof(part_t) +
+           NEAR_MOST * sizeof(int32_t) + 256;
 }
 
 static page_box_t shadow_box(void *ctx, int32_t k) {
@@ -63,13 +69,19 @@ static void take_off(drawing_t *d, int32_t from, int32_t to) {
     d->parts = n;
 }
 
-static bool compare(drawing_t *d, shadow_t *s) {
-    if (s->seen == d->edge) return true;
-    s->seen = d->edge;
-    if (s->owner == d->owner[0] || s->owner == d->owner[1]) return true;
-    if (s->x1 < d->box.x0 || s->x0 > d->box.x1 || s->y1 < d->box.y0 || s->y0 > d->box.y1) return true;
-    if (s->z > d->z) return true; /* all of it is behind the line */
+static inline bool is_apart(const page_box_t *b, const shadow_t *s) {
+    return s->x1 < b->x0 || s->x0 > b->x1 || s->y1 < b->y0 || s->y0 > b->y1;
+}
+
+/* May it hide a part of the line? Else it is beside it, or all of it is behind. */
+static inline bool is_near(const drawing_t *d, const shadow_t *s) {
+    return !is_apart(&d->box, s) && s->z <= d->z;
+}
+
+/* False: nothing is left, or there is no room. */
+static bool compare(drawing_t *d, const shadow_t *s) {
     int32_t from, to;
+    if (s->owner == d->owner[0] || s->owner == d->owner[1]) return true;
     d->stats->tests++;
     if (!shadow_hides(&d->shadows, s, &d->line, &from, &to)) return true;
     d->stats->crossings++;
@@ -79,9 +91,77 @@ static bool compare(drawing_t *d, shadow_t *s) {
 
 static bool compare_all(void *ctx, const int32_t *from, const int32_t *end) {
     drawing_t *d = ctx;
-    for (; from < end; from++)
-        if (!compare(d, &d->shadows.list[*from])) return false;
+    for (; from < end; from++) {
+        shadow_t *s = &d->shadows.list[*from];
+        if (s->seen == d->edge) continue;
+        s->seen = d->edge;
+        if (is_near(d, s) && !compare(d, s)) return false;
+    }
     return true;
+}
+
+static bool note(drawing_t *d, int32_t k) {
+    const shadow_t *s = &d->shadows.list[k];
+    if (!is_near(d, s) || s->owner == d->owner[0]) return true;
+    if (d->nears == NEAR_MOST) return false;
+    d->near[d->nears++] = k;
+    return true;
+}
+
+/* Notes those that may hide edges of the object whose box and farthest depth are at hand; false: too many. */
+static bool note_all(void *ctx, const int32_t *from, const int32_t *end) {
+    drawing_t *d = ctx;
+    for (; from < end; from++) {
+        shadow_t *s = &d->shadows.list[*from];
+        if (s->seen == ~d->edge) continue;
+        s->seen = ~d->edge;
+        if (!note(d, *from)) return false;
+    }
+    return true;
+}
+
+/* Finds the few shadows near the whole object that the edge at hand belongs to, once for all its edges. */
+static void find_near(drawing_t *d) {
+    const shadow_t *own = &d->shadows.list[d->shadows.part[~d->owner[0]]];
+    d->near_of = d->owner[0];
+    d->nears = 0;
+    d->box = (page_box_t){own->x0 - OFF, own->y0 - OFF, own->x1 + OFF, own->y1 + OFF};
+    d->z = own->far < INT32_MAX ? own->far + OFF : INT32_MAX;
+    if (!d->grid.start) {
+        for (int32_t k = 0; k < d->shadows.n; k++) note(d, k);
+    } else if (own->exact || !page_grid_visit(&d->grid, &d->box, note_all, d)) {
+        d->nears = -1;
+    }
+}
+
+/* Is it where nothing is drawn? */
+static bool is_outside(const drawing_t *d, const page_box_t *b) {
+    const page_window_t *w = d->map->lines.window;
+    return b->x1 < w->x0_lat || b->x0 > w->x1_lat || b->y1 < w->y0_lat || b->y0 > w->y1_lat;
+}
+
+/* Takes off what is hidden of the edge at hand. */
+static void hide(drawing_t *d, int32_t off_lat) {
+    const solid_place_t *a = &d->line.end[0], *b = &d->line.end[1];
+    const int32_t off = off_lat + OFF;
+    const page_box_t box = {(a->x < b->x ? a->x : b->x) - off, (a->y < b->y ? a->y : b->y) - off,
+                            (a->x < b->x ? b->x : a->x) + off, (a->y < b->y ? b->y : a->y) + off};
+    if (!d->map->lines.all_inside && is_outside(d, &box)) return;
+    const bool whole = d->owner[0] < 0 && d->owner[0] == d->owner[1];
+    if (whole && d->near_of != d->owner[0]) find_near(d);
+    d->box = box;
+    d->z = (a->z > b->z ? a->z : b->z) + OFF;
+    if (whole && d->nears >= 0) {
+        for (int32_t k = 0; k < d->nears; k++) {
+            const shadow_t *s = &d->shadows.list[d->near[k]];
+            if (is_near(d, s) && !compare(d, s)) return;
+        }
+    } else if (d->grid.start) {
+        page_grid_walk(&d->grid, a, b, off_lat, compare_all, d);
+    } else {
+        for (int32_t k = 0; k < d->shadows.n; k++)
+            if (is_near(d, &d->shadows.list[k]) && !compare(d, &d->shadows.list[k])) return;
+    }
 }
 
 static int emit(drawing_t *d, const ink_sink_t *sink, int32_t from, int32_t to) {
@@ -131,8 +211,7 @@ static int draw_edge(drawing_t *d, int32_t edge) {
     int32_t off_lat;
     shadow_line_t *line = &d->line;
     if (!solid_map_edge(d->map, edge, line->end, t_q30, &off_lat)) return 0;
-    const solid_place_t *a = &line->end[0], *b = &line->end[1];
-    if (a->x == b->x && a->y == b->y) return 0; /* end-on */
+    if (line->end[0].x == line->end[1].x && line->end[0].y == line->end[1].y) return 0; /* end-on */
     d->edge = edge;
     d->parts = 0;
     if (!dropped) {
@@ -140,29 +219,30 @@ static int draw_edge(drawing_t *d, int32_t edge) {
         line->v[0] = e->v[0];
         line->v[1] = e->v[1];
         line->exact = !solid_map_is_good(d->map, e->v[0]) || !solid_map_is_good(d->map, e->v[1]);
-        const int32_t off = off_lat + 2;
-        d->box = (page_box_t){(a->x < b->x ? a->x : b->x) - off, (a->y < b->y ? a->y : b->y) - off,
-                              (a->x < b->x ? b->x : a->x) + off, (a->y < b->y ? b->y : a->y) + off};
-        d->z = (a->z > b->z ? a->z : b->z) + 2;
         d->part[0] = (part_t){(int32_t)t_q30[0], (int32_t)t_q30[1]};
         d->parts = 1;
-        page_grid_walk(&d->grid, a, b, off_lat, compare_all, d);
+        hide(d, off_lat);
         if (d->full) return ERR_FULL;
     }
     return emit_parts(d, (int32_t)t_q30[0], (int32_t)t_q30[1]);
 }
 
-/* Divides the memory: shadows, room for parts, the grid; what the grid leaves goes to parts too. */
+/* Divides the memory: shadows, those near, room for parts, the grid; what the grid leaves goes to parts too. */
 static int set_up(drawing_t *d, const hidden_job_t *job) {
     int err = shadows_build(&d->shadows, d->map, job->mem, job->bytes);
     if (err) return err;
     uint8_t *at = (uint8_t *)job->mem + d->shadows.bytes;
-    size_t left = job->bytes - d->shadows.bytes, least = PARTS_LEAST * sizeof(part_t);
-    if (left < least) return ERR_FULL;
-    const page_box_t window = page_grid_window(d->map);
-    err = page_grid_build(&d->grid, &window, d->shadows.n, shadow_box, &d->shadows, at, left - least);
-    if (err) return err;
-    size_t used = (d->grid.bytes + 7) & ~(size_t)7;
+    size_t left = job->bytes - d->shadows.bytes, used = NEAR_MOST * sizeof(int32_t);
+    const size_t least = PARTS_LEAST * sizeof(part_t);
+    if (left < used + least) return ERR_FULL;
+    d->near = (int32_t *)(void *)at;
+    d->near_of = INT32_MAX;
+    if (d->shadows.n > NEAR_MOST) {
+        const page_box_t window = page_grid_window(d->map);
+        err = page_grid_build(&d->grid, &window, d->shadows.n, shadow_box, &d->shadows, at + used, left - used - least);
+        if (err) return err;
+        used += (d->grid.bytes + 7) & ~(size_t)7;
+    }
     d->part = (part_t *)(void *)(at + used);
     size_t parts = (left - used) / sizeof(part_t);
     d->parts_max = parts < INT32_MAX ? (int32_t)parts : INT32_MAX;

@@ -109,6 +109,13 @@ static bool visit_cells(const page_grid_t *g, int32_t row, int32_t first, int32_
     return visit(ctx, g->entry + cell[first], g->entry + cell[last + 1]);
 }
 
+bool page_grid_visit(const page_grid_t *g, const page_box_t *box, page_grid_visit_t *visit, void *ctx) {
+    const cells_t c = cells_of(g, box);
+    for (int32_t r = c.r0; r <= c.r1; r++)
+        if (!visit_cells(g, r, c.c0, c.c1, visit, ctx)) return false;
+    return true;
+}
+
 void page_grid_walk(const page_grid_t *g, const solid_place_t *a, const solid_place_t *b, int32_t off_lat,
                     page_grid_visit_t *visit, void *ctx) {
     if (a->y > b->y) {

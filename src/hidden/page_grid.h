@@ -29,6 +29,8 @@ int page_grid_build(page_grid_t *g, const page_box_t *window, int32_t n, page_bo
                     void *ctx, void *mem, size_t bytes);
 /* Takes the numbers of some boxes, from .. end - 1; false: enough. */
 typedef bool page_grid_visit_t(void *ctx, const int32_t *from, const int32_t *end);
+/* Calls visit for all boxes in the cells of a box, some more than once; false: it had enough. */
+bool page_grid_visit(const page_grid_t *g, const page_box_t *box, page_grid_visit_t *visit, void *ctx);
 /* Calls visit for all boxes in the cells that the line from a to b comes near, some more than once, until it returns
  * false. The line's ends may be off by off_lat more than by rounding. */
 void page_grid_walk(const page_grid_t *g, const solid_place_t *a, const solid_place_t *b, int32_t off_lat,

@@ -6,6 +6,9 @@
 #include "num/ints.h"
 #include "view/solid_side.h"
 
+#define OPEN_MOST 8
+#define DEPTH_OFF 4 /* depths are rounded */
+
 /* Parts of the line left and right of which it is not hidden. */
 typedef struct clip {
     int64_t from, to;
@@ -39,15 +42,6 @@ static bool clip_by(clip_t *c, wide_t a, wide_t b, int sign_a, int sign_b) {
     return c->from < c->to;
 }
 
-/* The value of a plane at an end of the line, but for what it is off (shadow.h). */
-static inline int64_t plane_near(const shadow_plane_t *p, const solid_vertex_t *v) {
-    return wide_mul_s32(p->n[0], v->at[0]) + wide_mul_s32(p->n[1], v->at[1]) + wide_mul_s32(p->n[2], v->at[2]) - p->c;
-}
-
-static inline int64_t plane_slack(const shadow_plane_t *p) {
-    return (int64_t)(solid_abs(p->n[0]) + solid_abs(p->n[1]) + solid_abs(p->n[2])) * SOLID_FLAT;
-}
-
 /* Where it is not sure. Returns whether a part is behind. */
 static bool clip_by_plane(const shadows_t *s, const shadow_t *shadow, int32_t face, const solid_vertex_t *const end[2],
                           clip_t *c) {
@@ -71,44 +65,81 @@ static bool clip_by_plane(const shadows_t *s, const shadow_t *shadow, int32_t fa
 }
 
 /* Touching is not hidden, and a line that ends in touching does not cross. */
-static bool clip_by_planes(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, clip_t *c) {
-    const solid_vertex_t *vertex = s->map->solid->vertex, *const end[2] = {&vertex[line->v[0]], &vertex[line->v[1]]};
+static inline bool clip_by_planes(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, clip_t *c) {
+    const solid_vertex_t *vertex = s->map->solid->vertex,
+                         *const end[2] = {&vertex[line->v[0]], &vertex[line->v[1]]};
     const shadow_plane_t *p = &s->plane[shadow->plane];
-    for (int32_t k = 0; k < shadow->planes; k++, p++) {
-        const int64_t a = plane_near(p, end[0]), b = plane_near(p, end[1]), least = a < b ? a : b, most = a < b ? b : a;
+    for (const shadow_plane_t *last = p + shadow->planes; p < last; p++) {
+        const int32_t x = p->n[0], y = p->n[1], z = p->n[2];
+        const int32_t *v = end[0]->at, *w = end[1]->at;
+        const int64_t a = wide_mul_s32(x, v[0]) + wide_mul_s32(y, v[1]) + wide_mul_s32(z, v[2]) - p->c,
+                      b = wide_mul_s32(x, w[0]) + wide_mul_s32(y, w[1]) + wide_mul_s32(z, w[2]) - p->c,
+                      most = a < b ? b : a, least = a < b ? a : b;
+        if (most <= -SHADOW_NEAR) continue;
         if (least >= SHADOW_NEAR) return false;
-        if (least <= -SHADOW_NEAR && most <= 2 * plane_slack(p) - SHADOW_NEAR) continue;
+        const int64_t slack = (int64_t)(solid_abs(x) + solid_abs(y) + solid_abs(z)) * SOLID_FLAT;
+        if (least <= -SHADOW_NEAR && most <= 2 * slack - SHADOW_NEAR) continue;
         if (!clip_by_plane(s, shadow, p->face, end, c)) return false;
     }
     return true;
 }
 
-static inline int64_t span(int32_t a, int32_t b, int32_t lo, int32_t hi) {
-    int64_t from = a < b ? a : b, to = a < b ? b : a;
-    return (to > hi ? to : hi) - (from < lo ? from : lo);
+/* A corner of the outline's picture, as the line sees it from its first end. */
+typedef struct corner {
+    int32_t x, y;
+    int64_t along; /* corner x line */
+} corner_t;
+
+static inline int64_t cross(int32_t ax, int32_t ay, int32_t bx, int32_t by) {
+    return wide_mul_s32(ax, by) - wide_mul_s32(ay, bx);
 }
 
-/* The outline's edges from the page: is the line surely outside of one? Bit k of *open: not surely inside of edge k
- * (the last bit stands for all from there on). */
-static bool is_outside(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, uint64_t *open) {
-    const solid_place_t *place = s->map->place, from = line->end[0], to = line->end[1];
+static inline corner_t corner_of(const solid_place_t *p, const solid_place_t *from, int32_t dx, int32_t dy) {
+    const int32_t x = p->x - from->x, y = p->y - from->y;
+    return (corner_t){x, y, cross(x, y, dx, dy)};
+}
+
+/* Edges of an outline that the line is not surely inside of: their numbers, or all if there are more. */
+typedef struct open_edges {
+    uint8_t n, k[OPEN_MOST];
+} open_edges_t;
+
+/* The outline's edges from the page: is the line surely outside of one? An end's distance from an edge p q is
+ * (p - end) x (q - end), which grows by q x line - p x line to the other end. Only an edge whose ends the line parts can
+ * be where it enters or leaves a convex outline; mostly one begins where the one before ends, and half of it is known. */
+static bool is_outside(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, open_edges_t *open) {
+    const solid_place_t *place = s->map->place, *from = &line->end[0];
     const shadow_edge_t *e = &s->outline[shadow->outline];
-    const int64_t dx = to.x - from.x, dy = to.y - from.y; /* of places: 31 bits */
-    /* a difference of two rounded places is off by a lat and a hair; no difference is larger than the box of both */
-    const int64_t margin =
-        3 * (span(from.x, to.x, shadow->x0, shadow->x1) + span(from.y, to.y, shadow->y0, shadow->y1)) + 8;
-    uint64_t bits = 0;
+    const int32_t x = from->x, y = from->y, dx = line->end[1].x - x, dy = line->end[1].y - y; /* 31 bits */
+    /* a difference of two rounded places is off by a lat and a hair; none is larger than both boxes, which meet */
+    const int64_t margin = 3 * ((int64_t)(solid_abs(dx) + solid_abs(dy)) + (int64_t)shadow->x1 - shadow->x0 +
+                                (int64_t)shadow->y1 - shadow->y0) +
+                           64;
+    int32_t known = -1, left = 0, right = 0;
+    corner_t p, q = {0, 0, 0};
+    open->n = 0;
     for (int32_t k = 0; k < shadow->outlines; k++, e++) {
-        const solid_place_t *p = &place[e->p], *q = &place[e->q];
-        const int64_t ux = q->x - p->x, uy = q->y - p->y;
-        const int64_t a = ux * (from.y - p->y) - uy * (from.x - p->x), b = a + ux * dy - uy * dx;
-        const int64_t least = a < b ? a : b;
-        if (least > margin) continue;
-        if ((a < b ? b : a) < -margin) return true;
-        bits |= (uint64_t)1 << (k < 63 ? k : 63);
+        p = q;
+        if (e->p != known) p = corner_of(&place[e->p], from, dx, dy);
+        known = e->q;
+        q = corner_of(&place[known], from, dx, dy);
+        if (p.along > margin && q.along > margin) {
+            left++;
+            continue;
+        }
+        if (p.along < -margin && q.along < -margin) {
+            right++;
+            continue;
+        }
+        const int64_t a = cross(p.x, p.y, q.x, q.y), b = a + q.along - p.along;
+        if (a > margin && b > margin) continue;
+        if (a < -margin && b < -margin) return true;
+        if (open->n < OPEN_MOST && k <= UINT8_MAX)
+            open->k[open->n++] = (uint8_t)k;
+        else
+            open->n = UINT8_MAX;
     }
-    *open = bits;
-    return false;
+    return left == shadow->outlines || right == shadow->outlines;
 }
 
 /* In the plane itself is inside: behind the outline, or behind the seam of two faces. */
@@ -126,17 +157,24 @@ static bool clip_by_outline(const shadows_t *s, const shadow_edge_t *e, const sh
     return clip_by(c, at[0], at[1], sign_a, sign_b);
 }
 
+/* Is all of the line farther away than all that is seen of the object? */
+static inline bool is_behind(const shadow_t *shadow, const shadow_line_t *line) {
+    const int32_t a = line->end[0].z, b = line->end[1].z;
+    return (a < b ? a : b) - DEPTH_OFF > shadow->far;
+}
+
 bool shadow_hides(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, int32_t *from, int32_t *to) {
     clip_t c = {0, INK_ONE};
-    uint64_t open = ~(uint64_t)0;
+    open_edges_t open = {.n = UINT8_MAX};
+    const bool exact = shadow->exact || line->exact, behind = !exact && is_behind(shadow, line);
     const bool whole = shadow->planes > 1; /* a body fills its box, and half of what meets that is not behind it */
-    if (whole && !clip_by_planes(s, shadow, line, &c)) return false;
-    if (!shadow->exact && !line->exact && is_outside(s, shadow, line, &open)) return false;
-    if (!whole && !clip_by_planes(s, shadow, line, &c)) return false;
-    for (int32_t k = 0; k < shadow->outlines && open; k++) {
-        if (!(open >> (k < 63 ? k : 63) & 1)) continue;
-        if (!clip_by_outline(s, &s->outline[shadow->outline + k], line, &c)) return false;
-    }
+    if (!behind && whole && !clip_by_planes(s, shadow, line, &c)) return false;
+    if (!exact && is_outside(s, shadow, line, &open)) return false;
+    if (!behind && !whole && !clip_by_planes(s, shadow, line, &c)) return false;
+    const shadow_edge_t *e = &s->outline[shadow->outline];
+    const int32_t n = open.n == UINT8_MAX ? shadow->outlines : open.n;
+    for (int32_t k = 0; k < n; k++)
+        if (!clip_by_outline(s, &e[open.n == UINT8_MAX ? k : open.k[k]], line, &c)) return false;
     *from = (int32_t)c.from;
     *to = (int32_t)c.to;
     return true;

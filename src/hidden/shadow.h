@@ -9,7 +9,8 @@
  * plane is made again from its face where a segment crosses it or comes near. In the same way the outline is first held
  * against the line's picture, and only what crosses it there is decided in space.
  *
- * Memory: SHADOW_BYTES() at most; in use afterwards 48 bytes a shadow, 24 a plane, 8 an edge of an outline, 1 a face.
+ * Memory: SHADOW_BYTES() at most; in use afterwards 48 bytes a shadow, 24 a plane, 8 an edge of an outline, 1 a face, 5 an
+ * object.
  */
 #ifndef SHADOW_H
 #define SHADOW_H
@@ -29,13 +30,14 @@ typedef struct shadow_plane {
 #define SHADOW_NEAR ((int64_t)1 << (SOLID_BITS + 2))
 
 typedef struct shadow {
-    int32_t plane, planes;
-    int32_t outline, outlines;
+    int32_t plane, outline;
+    int32_t outlines;
+    int16_t planes;
+    bool exact; /* places on the page are of no use */
     int32_t x0, y0, x1, y1; /* lat: box of the picture; everything for a part that reaches behind the eye */
-    int32_t z;              /* nearest depth (solid_place_t); INT32_MIN then */
+    int32_t z, far;         /* nearest depth (solid_place_t), INT32_MIN then, and farthest of what is seen */
     int32_t seen;           /* the user's: last line it was compared with */
     int32_t owner;          /* shadows_owner() of edges that it does not hide; INT32_MIN: none in particular */
-    bool exact;             /* places on the page are of no use */
 } shadow_t;
 
 /* p to q with the inside to the left as the eye sees it. */
@@ -59,6 +61,7 @@ typedef struct shadows {
     const solid_map_t *map;
     uint8_t *face;   /* enum shadow_side */
     uint8_t *object; /* SHADOW_OPEN, SHADOW_WHOLE, SHADOW_SMOOTH */
+    int32_t *part;   /* of each object with SHADOW_WHOLE: its place in list */
     shadow_t *list;
     int32_t n;
     shadow_plane_t *plane;
@@ -95,7 +98,7 @@ static inline int32_t shadows_owner(const shadows_t *s, int32_t face) {
 static inline bool shadows_is_outline(const shadows_t *s, const solid_edge_t *e) {
     return e->face[0] >= 0 && e->face[1] >= 0 && (s->face[e->face[0]] ^ s->face[e->face[1]]) & SHADOW_FRONT;
 }
-/* Is a part of the line in the shadow: parameters in space from *from to *to, 0 .. INK_ONE, *from < *to. */
+/* Is a part of the line, whose picture's box meets that of the shadow, in it: parameters in space from *from to *to, 0 .. INK_ONE, *from < *to. */
 bool shadow_hides(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, int32_t *from, int32_t *to);
 
 #endif

@@ -43,16 +43,18 @@ static void stretch(const shadows_t *s, shadow_t *part, int32_t v) {
     if (p->y < part->y0) part->y0 = p->y;
     if (p->y > part->y1) part->y1 = p->y;
     if (p->z < part->z) part->z = p->z;
+    if (p->z > part->far) part->far = p->z;
 }
 
 static void finish_box(shadow_t *part) {
     if (part->z != INT32_MIN) return;
+    part->far = INT32_MAX;
     part->x0 = part->y0 = -SOLID_PLACE_MOST;
     part->x1 = part->y1 = SOLID_PLACE_MOST;
 }
 
 static const shadow_t EMPTY = {
-    .x0 = INT32_MAX, .y0 = INT32_MAX, .x1 = INT32_MIN, .y1 = INT32_MIN, .z = INT32_MAX, .seen = -1, .owner = INT32_MIN};
+    .x0 = INT32_MAX, .y0 = INT32_MAX, .x1 = INT32_MIN, .y1 = INT32_MIN, .z = INT32_MAX, .far = INT32_MIN, .seen = INT32_MAX, .owner = INT32_MIN};
 
 /* One polygon of n corners; away: its other side is seen. face: whose it is, -1 for a triangle of one. */
 static void add_polygon(shadows_t *s, counts_t *at, const int32_t *corner, int32_t n, const solid_normal_t *normal,
@@ -126,21 +128,20 @@ static int add_bent(filling_t *fill, int32_t f, const solid_normal_t *n, void *s
     return err == 1 ? triangulate(solid, f, n, spare, bytes, add_triangle, fill) : err;
 }
 
-/* Makes a shadow of each convex object, counts its planes and outlines, and all polygons'. part[o]: the number of
- * object o's. */
-static counts_t count(shadows_t *s, int32_t *part) {
+/* Makes a shadow of each convex object, counts its planes and outlines, and all polygons'. */
+static counts_t count(shadows_t *s) {
     const solid_t *solid = s->map->solid;
     counts_t c = {0, 0, 0};
     for (int32_t o = 0; o < solid->no; o++) {
         if (!(s->object[o] & SHADOW_WHOLE)) continue;
-        part[o] = (int32_t)c.parts;
+        s->part[o] = (int32_t)c.parts;
         s->list[c.parts] = EMPTY;
         s->list[c.parts++].owner = ~o;
     }
     for (int32_t f = 0; f < solid->nf; f++) {
         const uint8_t is = s->face[f] |= s->object[solid->face[f].object];
         if (is & SHADOW_WHOLE) {
-            s->list[part[solid->face[f].object]].planes += is & SHADOW_FRONT;
+            s->list[s->part[solid->face[f].object]].planes += is & SHADOW_FRONT;
             c.planes += is & SHADOW_FRONT;
         } else if (is_part(s, f)) {
             const int32_t n = solid->face[f].n;
@@ -153,7 +154,7 @@ static counts_t count(shadows_t *s, int32_t *part) {
     for (int32_t k = 0; k < solid->ne; k++) {
         const solid_edge_t *e = &solid->edge[k];
         if (!is_outline(s, e)) continue;
-        s->list[part[solid->face[e->face[0]].object]].outlines++;
+        s->list[s->part[solid->face[e->face[0]].object]].outlines++;
         c.outlines++;
     }
     return c;
@@ -168,7 +169,8 @@ static counts_t lay_out(shadows_t *s, int32_t parts) {
         of->outline = (int32_t)at.outlines;
         at.planes += of->planes;
         at.outlines += of->outlines;
-        of->planes = of->outlines = 0; /* in place so far */
+        of->planes = 0; /* in place so far */
+        of->outlines = 0;
     }
     return at;
 }
@@ -187,13 +189,13 @@ static void fill_face(shadows_t *s, shadow_t *of, int32_t f) {
 
 /* Planes and boxes, and of faces one by one, cut into triangles where they must be, all. spare: what triangulate()
  * needs. */
-static int fill_faces(filling_t *fill, const int32_t *part, void *spare, size_t bytes) {
+static int fill_faces(filling_t *fill, void *spare, size_t bytes) {
     shadows_t *s = fill->s;
     const solid_t *solid = s->map->solid;
     for (int32_t f = 0; f < solid->nf; f++) {
         const solid_face_t *face = &solid->face[f];
         if (s->face[f] & SHADOW_WHOLE) {
-            fill_face(s, &s->list[part[face->object]], f);
+            fill_face(s, &s->list[s->part[face->object]], f);
         } else if (is_part(s, f)) {
             solid_normal_t n = solid_face_normal(solid, f);
             int err = 0;
@@ -208,15 +210,27 @@ static int fill_faces(filling_t *fill, const int32_t *part, void *spare, size_t 
     return 0;
 }
 
-static void fill_outlines(shadows_t *s, const int32_t *part) {
+static void fill_outlines(shadows_t *s) {
     const solid_t *solid = s->map->solid;
     for (int32_t k = 0; k < solid->ne; k++) {
         const solid_edge_t *e = &solid->edge[k];
         if (!is_outline(s, e)) continue;
-        shadow_t *of = &s->list[part[solid->face[e->face[0]].object]];
+        shadow_t *of = &s->list[s->part[solid->face[e->face[0]].object]];
         const int up = s->face[e->face[0]] & SHADOW_FRONT;
         s->outline[of->outline + of->outlines++] = (shadow_edge_t){e->v[!up], e->v[up]};
     }
+}
+
+/* Puts an outline's edges one after the other, as far as they are a ring. */
+static void chain(shadow_edge_t *e, int32_t n) {
+    for (int32_t k = 1; k < n; k++)
+        for (int32_t i = k; i < n; i++) {
+            if (e[i].p != e[k - 1].q) continue;
+            const shadow_edge_t next = e[i];
+            e[i] = e[k];
+            e[k] = next;
+            break;
+        }
 }
 
 static void *take(uint8_t **at, const uint8_t *end, int64_t n, size_t size) {
@@ -233,25 +247,26 @@ static void *take(uint8_t **at, const uint8_t *end, int64_t n, size_t size) {
 int shadows_build(shadows_t *s, const solid_map_t *map, void *mem, size_t bytes) {
     const solid_t *solid = map->solid;
     *s = (shadows_t){.map = map};
-    uint8_t *at = mem, *end = at + (bytes & ~(size_t)7);
+    uint8_t *at = mem, *end = at + bytes;
     s->face = take(&at, end, solid->nf, 1);
     s->object = take(&at, end, solid->no, 1);
+    s->part = take(&at, end, solid->no, sizeof *s->part);
     if (!at) return ERR_FULL;
     const int32_t whole = shadow_sides_find(s);
     s->list = (shadow_t *)(void *)at;
-    const size_t room = (size_t)(end - at), parts_bytes = ((size_t)solid->no * sizeof(int32_t) + 7) & ~(size_t)7;
-    if (room < parts_bytes + (size_t)whole * sizeof *s->list) return ERR_FULL;
-    end -= parts_bytes;
-    int32_t *part = (int32_t *)(void *)end;
-    const counts_t c = count(s, part);
+    if ((size_t)(end - at) < (size_t)whole * sizeof *s->list) return ERR_FULL;
+    const counts_t c = count(s);
     take(&at, end, c.parts, sizeof *s->list);
     s->plane = take(&at, end, c.planes, sizeof *s->plane);
     s->outline = take(&at, end, c.outlines, sizeof *s->outline);
     if (!at) return ERR_FULL;
     filling_t fill = {.s = s, .at = lay_out(s, whole)};
-    int err = fill_faces(&fill, part, at, (size_t)(end - at));
-    fill_outlines(s, part);
-    for (int32_t k = 0; k < whole; k++) finish_box(&s->list[k]);
+    int err = fill_faces(&fill, at, (size_t)(end - at));
+    fill_outlines(s);
+    for (int32_t k = 0; k < whole; k++) {
+        finish_box(&s->list[k]);
+        chain(&s->outline[s->list[k].outline], s->list[k].outlines);
+    }
     s->n = (int32_t)fill.at.parts;
     s->bytes = (size_t)(at - (uint8_t *)mem);
     return err;
