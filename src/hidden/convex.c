@@ -7,7 +7,9 @@
 
 #define PARTS_LEAST 16 /* visible parts of one edge there is room for at least */
 #define OFF 2          /* lat, and units of depth: places are rounded */
-#define NEAR_MOST 16   /* shadows near an object that are remembered while its edges are drawn */
+#define NEAR_MOST 32   /* shadows near an object that are remembered while its edges are drawn */
+#define FEW_MOST 16    /* so many shadows are looked through without a grid */
+#define PLAIN_MOST 128 /* and so many if that is done once for an object */
 
 /* A visible part of the edge at hand: parameters. */
 typedef struct part {
@@ -69,8 +71,9 @@ static void take_off(drawing_t *d, int32_t from, int32_t to) {
     d->parts = n;
 }
 
+/* The signs of four differences of 31 bits at once: which of them it is nobody can predict. */
 static inline bool is_apart(const page_box_t *b, const shadow_t *s) {
-    return s->x1 < b->x0 || s->x0 > b->x1 || s->y1 < b->y0 || s->y0 > b->y1;
+    return ((s->x1 - b->x0) | (b->x1 - s->x0) | (s->y1 - b->y0) | (b->y1 - s->y0)) < 0;
 }
 
 /* May it hide a part of the line? Else it is beside it, or all of it is behind. */
@@ -135,23 +138,25 @@ static void find_near(drawing_t *d) {
 }
 
 /* Is it where nothing is drawn? */
-static bool is_outside(const drawing_t *d, const page_box_t *b) {
-    const page_window_t *w = d->map->lines.window;
-    return b->x1 < w->x0_lat || b->x0 > w->x1_lat || b->y1 < w->y0_lat || b->y0 > w->y1_lat;
+static bool is_off_page(const solid_map_t *m, const page_box_t *b) {
+    const page_window_t *w = m->lines.window;
+    return !m->lines.all_inside && (b->x1 < w->x0_lat || b->x0 > w->x1_lat || b->y1 < w->y0_lat || b->y0 > w->y1_lat);
 }
 
 /* Takes off what is hidden of the edge at hand. */
 static void hide(drawing_t *d, int32_t off_lat) {
     const solid_place_t *a = &d->line.end[0], *b = &d->line.end[1];
-    const int32_t off = off_lat + OFF;
-    const page_box_t box = {(a->x < b->x ? a->x : b->x) - off, (a->y < b->y ? a->y : b->y) - off,
-                            (a->x < b->x ? b->x : a->x) + off, (a->y < b->y ? b->y : a->y) + off};
-    if (!d->map->lines.all_inside && is_outside(d, &box)) return;
     const bool whole = d->owner[0] < 0 && d->owner[0] == d->owner[1];
     if (whole && d->near_of != d->owner[0]) find_near(d);
-    d->box = box;
+    if (whole && d->nears == 0) return;
+    const int32_t off = off_lat + OFF;
+    d->box.x0 = (a->x < b->x ? a->x : b->x) - off;
+    d->box.y0 = (a->y < b->y ? a->y : b->y) - off;
+    d->box.x1 = (a->x < b->x ? b->x : a->x) + off;
+    d->box.y1 = (a->y < b->y ? b->y : a->y) + off;
     d->z = (a->z > b->z ? a->z : b->z) + OFF;
-    if (whole && d->nears >= 0) {
+    if (is_off_page(d->map, &d->box)) return;
+    if (whole && d->nears > 0) {
         for (int32_t k = 0; k < d->nears; k++) {
             const shadow_t *s = &d->shadows.list[d->near[k]];
             if (is_near(d, s) && !compare(d, s)) return;
@@ -182,13 +187,6 @@ static int emit_parts(drawing_t *d, int32_t from, int32_t to) {
     return d->hidden ? emit(d, d->hidden, at, to) : 0;
 }
 
-/* Does one of the objects that share the edge hide it by itself? */
-static bool is_dropped(const drawing_t *d, int32_t edge) {
-    for (int32_t e = edge; e >= 0; e = d->map->solid->edge[e].twin)
-        if (!shadows_is_candidate(&d->shadows, &d->map->solid->edge[e])) return true;
-    return false;
-}
-
 /* Is it between faces of smooth surfaces, and no outline of one? */
 static bool is_left_out(const drawing_t *d, int32_t edge) {
     const solid_t *s = d->map->solid;
@@ -201,30 +199,69 @@ static bool is_left_out(const drawing_t *d, int32_t edge) {
     return true;
 }
 
-static int draw_edge(drawing_t *d, int32_t edge) {
+/* What becomes of an edge. */
+enum fate {
+    NO_LINE,
+    DROPPED, /* one of the objects that share it hides it by itself */
+    LINE,
+};
+
+static enum fate fate_of(const drawing_t *d, int32_t edge) {
+    const solid_edge_t *all = d->map->solid->edge, *e = &all[edge];
+    if (e->first != edge || solid_is_cut(e) || is_left_out(d, edge)) return NO_LINE;
+    for (int32_t k = edge; k >= 0; k = all[k].twin)
+        if (!shadows_is_candidate(&d->shadows, &all[k])) return DROPPED;
+    return LINE;
+}
+
+/* Between two faces of one whole object, as most edges are, and a line if one of them looks at the eye? */
+static inline bool is_plain_edge(const drawing_t *d, int32_t edge) {
     const solid_edge_t *e = &d->map->solid->edge[edge];
-    if (e->first != edge || solid_is_cut(e) || is_left_out(d, edge)) return 0;
-    const bool dropped = is_dropped(d, edge);
+    return e->twin < 0 && e->first == edge && e->face[0] >= 0 && e->face[1] >= 0 && e->face[0] != e->face[1] &&
+           (d->shadows.face[e->face[0]] & (SHADOW_WHOLE | SHADOW_SMOOTH)) == SHADOW_WHOLE;
+}
+
+static int draw_edge(drawing_t *d, int32_t edge) {
+    const solid_map_t *m = d->map;
+    const solid_edge_t *e = &m->solid->edge[edge];
+    const uint8_t *face = d->shadows.face;
+    const bool plain = is_plain_edge(d, edge);
+    const enum fate fate =
+        plain ? (face[e->face[0]] | face[e->face[1]]) & SHADOW_FRONT ? LINE : DROPPED : fate_of(d, edge);
+    if (fate == NO_LINE) return 0;
     d->stats->edges++;
-    if (dropped && !d->hidden) return 0;
-    int64_t t_q30[2];
-    int32_t off_lat;
+    if (fate == DROPPED && !d->hidden) return 0;
+    int64_t t_q30[2] = {0, INK_ONE};
+    int32_t off_lat = 0;
     shadow_line_t *line = &d->line;
-    if (!solid_map_edge(d->map, edge, line->end, t_q30, &off_lat)) return 0;
+    line->exact = false;
+    if (m->all_good) {
+        line->end[0] = m->place[e->v[0]];
+        line->end[1] = m->place[e->v[1]];
+    } else {
+        if (!solid_map_edge(m, edge, line->end, t_q30, &off_lat)) return 0;
+        line->exact = !solid_map_is_good(m, e->v[0]) || !solid_map_is_good(m, e->v[1]);
+    }
     if (line->end[0].x == line->end[1].x && line->end[0].y == line->end[1].y) return 0; /* end-on */
     d->edge = edge;
     d->parts = 0;
-    if (!dropped) {
-        for (int k = 0; k < 2; k++) d->owner[k] = e->face[k] < 0 ? INT32_MAX : shadows_owner(&d->shadows, e->face[k]);
+    if (fate == LINE) {
+        for (int k = 0; k < 2; k++)
+            d->owner[k] = k && plain ? d->owner[0] : e->face[k] < 0 ? INT32_MAX : shadows_owner(&d->shadows, e->face[k]);
         line->v[0] = e->v[0];
         line->v[1] = e->v[1];
-        line->exact = !solid_map_is_good(d->map, e->v[0]) || !solid_map_is_good(d->map, e->v[1]);
         d->part[0] = (part_t){(int32_t)t_q30[0], (int32_t)t_q30[1]};
         d->parts = 1;
         hide(d, off_lat);
         if (d->full) return ERR_FULL;
     }
     return emit_parts(d, (int32_t)t_q30[0], (int32_t)t_q30[1]);
+}
+
+/* Are all shadows those of whole objects, and hardly any edges not theirs? Then few edges look for shadows at all. */
+static bool is_plain(const shadows_t *s) {
+    const solid_t *solid = s->map->solid;
+    return s->n == s->whole && solid->ne - solid->nc / 2 <= solid->ne / 16;
 }
 
 /* Divides the memory: shadows, those near, room for parts, the grid; what the grid leaves goes to parts too. */
@@ -237,7 +274,7 @@ static int set_up(drawing_t *d, const hidden_job_t *job) {
     if (left < used + least) return ERR_FULL;
     d->near = (int32_t *)(void *)at;
     d->near_of = INT32_MAX;
-    if (d->shadows.n > NEAR_MOST) {
+    if (d->shadows.n > (is_plain(&d->shadows) ? PLAIN_MOST : FEW_MOST)) {
         const page_box_t window = page_grid_window(d->map);
         err = page_grid_build(&d->grid, &window, d->shadows.n, shadow_box, &d->shadows, at + used, left - used - least);
         if (err) return err;

@@ -146,11 +146,10 @@ static bool is_outside(const shadows_t *s, const shadow_t *shadow, const shadow_
 static bool clip_by_outline(const shadows_t *s, const shadow_edge_t *e, const shadow_line_t *line, clip_t *c) {
     const solid_vertex_t *vertex = s->map->solid->vertex, *p = &vertex[e->p];
     const solid_delta_t u = solid_sub(&vertex[e->q], p);
-    wide_t at[2]; /* (u x (eye - p)) . d = (d x u) . (eye - p) */
-    for (int i = 0; i < 2; i++) {
-        const solid_normal_t n = solid_cross(solid_sub(&vertex[line->v[i]], p), u);
-        at[i] = solid_eye_dot(s->map, &n, p);
-    }
+    int64_t v[3];
+    wide_t at[2]; /* (u x v) . d = (d x u) . v */
+    solid_to_eye(s->map, p, v);
+    for (int i = 0; i < 2; i++) at[i] = wide_dot3_s64(solid_cross(solid_sub(&vertex[line->v[i]], p), u).n, v);
     int sign_a = wide_sign(at[0]), sign_b = wide_sign(at[1]);
     if (sign_a == 0 && sign_b == 0) return true;
     if (sign_a >= 0 && sign_b >= 0) return false;

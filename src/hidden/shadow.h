@@ -63,7 +63,7 @@ typedef struct shadows {
     uint8_t *object; /* SHADOW_OPEN, SHADOW_WHOLE, SHADOW_SMOOTH */
     int32_t *part;   /* of each object with SHADOW_WHOLE: its place in list */
     shadow_t *list;
-    int32_t n;
+    int32_t n, whole; /* of them are objects', the first */
     shadow_plane_t *plane;
     shadow_edge_t *outline;
     size_t bytes; /* of the lent memory in use */
@@ -98,7 +98,8 @@ static inline int32_t shadows_owner(const shadows_t *s, int32_t face) {
 static inline bool shadows_is_outline(const shadows_t *s, const solid_edge_t *e) {
     return e->face[0] >= 0 && e->face[1] >= 0 && (s->face[e->face[0]] ^ s->face[e->face[1]]) & SHADOW_FRONT;
 }
-/* Is a part of the line, whose picture's box meets that of the shadow, in it: parameters in space from *from to *to, 0 .. INK_ONE, *from < *to. */
+/* Is a part of the line, whose picture's box meets that of the shadow, in it: parameters in space from *from to *to,
+ * 0 .. INK_ONE, *from < *to. */
 bool shadow_hides(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, int32_t *from, int32_t *to);
 
 #endif

@@ -267,6 +267,7 @@ int shadows_build(shadows_t *s, const solid_map_t *map, void *mem, size_t bytes)
         finish_box(&s->list[k]);
         chain(&s->outline[s->list[k].outline], s->list[k].outlines);
     }
+    s->whole = whole;
     s->n = (int32_t)fill.at.parts;
     s->bytes = (size_t)(at - (uint8_t *)mem);
     return err;

@@ -4,6 +4,8 @@
 #include "num/wide.h"
 #include "view/solid_side.h"
 
+#define LARGE ((int64_t)1 << 34) /* no margin is: differences of places have 31 bits */
+
 /* Which side of a triangle or quadrilateral is seen in a parallel view, from its picture: the sign of its area, or 0
  * if it is not sure. */
 static int side_on_page(const shadows_t *s, const solid_face_t *face) {
@@ -12,9 +14,13 @@ static int side_on_page(const shadows_t *s, const solid_face_t *face) {
     if (s->map->eye.w != 0 || !s->map->all_good || n > 4) return 0;
     const solid_place_t *a = &place[c[0]], *b = &place[c[1]], *d = &place[c[2]], *e = &place[c[n == 4 ? 3 : 0]];
     /* diagonals, or sides: off by a lat and a hair */
-    const int64_t ux = d->x - a->x, uy = d->y - a->y, vx = e->x - b->x, vy = e->y - b->y, area = ux * vy - uy * vx;
-    const int64_t margin = (int64_t)(2 * (solid_abs(ux) + solid_abs(uy) + solid_abs(vx) + solid_abs(vy))) + 8;
-    return area > margin ? 1 : area < -margin ? -1 : 0;
+    const int32_t ux = d->x - a->x, uy = d->y - a->y, vx = e->x - b->x, vy = e->y - b->y;
+    const int64_t area = wide_mul_s32(ux, vy) - wide_mul_s32(uy, vx);
+    if (area <= LARGE && area >= -LARGE) {
+        const int64_t margin = (int64_t)(2 * (solid_abs(ux) + solid_abs(uy) + solid_abs(vx) + solid_abs(vy))) + 8;
+        if (area <= margin && area >= -margin) return 0;
+    }
+    return area > 0 ? 1 : -1;
 }
 
 static void find_sides(shadows_t *s) {

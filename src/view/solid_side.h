@@ -5,11 +5,9 @@
 #include "scene/solid_math.h"
 #include "view/solid_map.h"
 
-/* n . (eye - p), times the eye's w. */
-static inline wide_t solid_eye_dot(const solid_map_t *m, const solid_normal_t *n, const solid_vertex_t *p) {
-    wide_t sum = {0, 0};
-    for (int k = 0; k < 3; k++) sum = wide_add(sum, wide_mul_s64(n->n[k], m->eye.e[k] - p->at[k] * m->eye.w));
-    return sum;
+/* eye - p, times the eye's w. */
+static inline void solid_to_eye(const solid_map_t *m, const solid_vertex_t *p, int64_t v[3]) {
+    for (int k = 0; k < 3; k++) v[k] = m->eye.e[k] - p->at[k] * m->eye.w;
 }
 /* The sign of n . (eye - p): exact. */
 int solid_side_exact(const solid_map_t *m, const solid_normal_t *n, const solid_vertex_t *p);
