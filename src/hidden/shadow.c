@@ -84,19 +84,28 @@ static inline bool clip_by_planes(const shadows_t *s, const shadow_t *shadow, co
     return true;
 }
 
-/* A corner of the outline's picture, as the line sees it from its first end. */
-typedef struct corner {
-    int32_t x, y;
-    int64_t along; /* corner x line */
-} corner_t;
-
 static inline int64_t cross(int32_t ax, int32_t ay, int32_t bx, int32_t by) {
     return wide_mul_s32(ax, by) - wide_mul_s32(ay, bx);
 }
 
-static inline corner_t corner_of(const solid_place_t *p, const solid_place_t *from, int32_t dx, int32_t dy) {
-    const int32_t x = p->x - from->x, y = p->y - from->y;
-    return (corner_t){x, y, cross(x, y, dx, dy)};
+/* A corner of the outline's picture, as the line sees it from its first end. */
+typedef struct corner {
+    int32_t x, y;
+    int32_t side;  /* of the line: -1 and 1 for sure, 0 if it may be on it */
+    int64_t along; /* corner x line */
+} corner_t;
+
+/* A line's picture as it is held against those of outlines. */
+typedef struct picture {
+    const solid_place_t *from;
+    int32_t dx, dy;
+    int64_t margin; /* by which a product may be off */
+} picture_t;
+
+static inline corner_t corner_of(const picture_t *l, const solid_place_t *p) {
+    const int32_t x = p->x - l->from->x, y = p->y - l->from->y;
+    const int64_t along = cross(x, y, l->dx, l->dy);
+    return (corner_t){x, y, (along > l->margin) - (along < -l->margin), along};
 }
 
 /* Edges of an outline that the line is not surely inside of: their numbers, or all if there are more. */
@@ -110,36 +119,29 @@ typedef struct open_edges {
 static bool is_outside(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, open_edges_t *open) {
     const solid_place_t *place = s->map->place, *from = &line->end[0];
     const shadow_edge_t *e = &s->outline[shadow->outline];
-    const int32_t x = from->x, y = from->y, dx = line->end[1].x - x, dy = line->end[1].y - y; /* 31 bits */
+    picture_t l = {from, line->end[1].x - from->x, line->end[1].y - from->y, 64}; /* 31 bits */
     /* a difference of two rounded places is off by a lat and a hair; none is larger than both boxes, which meet */
-    const int64_t margin = 3 * ((int64_t)(solid_abs(dx) + solid_abs(dy)) + (int64_t)shadow->x1 - shadow->x0 +
-                                (int64_t)shadow->y1 - shadow->y0) +
-                           64;
-    int32_t known = -1, left = 0, right = 0;
-    corner_t p, q = {0, 0, 0};
+    l.margin += 3 * ((int64_t)(solid_abs(l.dx) + solid_abs(l.dy)) + (int64_t)shadow->x1 - shadow->x0 +
+                     (int64_t)shadow->y1 - shadow->y0);
+    int32_t known = -1, sides = 0;
+    corner_t p, q = {0, 0, 0, 0};
     open->n = 0;
     for (int32_t k = 0; k < shadow->outlines; k++, e++) {
         p = q;
-        if (e->p != known) p = corner_of(&place[e->p], from, dx, dy);
+        if (e->p != known) p = corner_of(&l, &place[e->p]);
         known = e->q;
-        q = corner_of(&place[known], from, dx, dy);
-        if (p.along > margin && q.along > margin) {
-            left++;
-            continue;
-        }
-        if (p.along < -margin && q.along < -margin) {
-            right++;
-            continue;
-        }
+        q = corner_of(&l, &place[known]);
+        sides += q.side;
+        if (p.side * q.side > 0) continue;
         const int64_t a = cross(p.x, p.y, q.x, q.y), b = a + q.along - p.along;
-        if (a > margin && b > margin) continue;
-        if (a < -margin && b < -margin) return true;
+        if ((a < b ? a : b) > l.margin) continue;
+        if ((a < b ? b : a) < -l.margin) return true;
         if (open->n < OPEN_MOST && k <= UINT8_MAX)
             open->k[open->n++] = (uint8_t)k;
         else
             open->n = UINT8_MAX;
     }
-    return left == shadow->outlines || right == shadow->outlines;
+    return sides == shadow->outlines || sides == -shadow->outlines;
 }
 
 /* In the plane itself is inside: behind the outline, or behind the seam of two faces. */

@@ -217,6 +217,10 @@ int camera_setup(camera_t *cam, const settings_t *s, const view_box_t *box) {
     return 0;
 }
 
+num_t camera_project_row(const camera_t *cam, int r, const num_t world[3]) {
+    return num_add(num_vec_dot(cam->m[r], world), cam->m[r][3]);
+}
+
 void camera_project(const camera_t *cam, const num_t world[3], num_t out[3]) {
-    for (int r = 0; r < 3; r++) out[r] = num_add(num_vec_dot(cam->m[r], world), cam->m[r][3]);
+    for (int r = 0; r < 3; r++) out[r] = camera_project_row(cam, r, world);
 }

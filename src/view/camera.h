@@ -47,6 +47,7 @@ int camera_setup(camera_t *cam, const settings_t *s, const view_box_t *box);
 int camera_flat(camera_t *cam, const settings_t *s, const num_t lo[2], const num_t hi[2]);
 /* Homogeneous page coordinates of a world point (exact to the precision of num_t; set-up and slow paths only). */
 void camera_project(const camera_t *cam, const num_t world[3], num_t out[3]);
+num_t camera_project_row(const camera_t *cam, int r, const num_t world[3]); /* one of them */
 
 /* Prepares everything of a line space but ctx and at: the scale in which no homogeneous coordinate of the box [lo, hi]
  * needs more than 60 bits, and whether all of the box is inside the window. Returns 0, or ERR_VALUE for coordinates

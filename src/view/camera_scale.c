@@ -2,6 +2,7 @@
  *
  * Bit budget: |X|, |Y| < 2^60 and 0 < E < 2^35, so that X - w * E with a window of |w| < 2^25 lat stays below 2^61. */
 #include "error.h"
+#include "num/ints.h"
 #include "view/camera.h"
 
 #include <stddef.h>
@@ -10,10 +11,12 @@
 #define E_BITS 35
 #define NEAR_SHIFT 20 /* nearest depth drawn where there is no exact way: 2^-20 of the farthest */
 
-/* What a box is on the page: its middle, and how far to either side its corners may be. */
+#define SPARE (1 << 27) /* that sums of rounded shares times a window's side are off at most: far less than a lat */
+
+/* What a box is on the page: its middle, and how much half of each side moves it, rows as the camera's. */
 typedef struct extent {
-    num_t half[3]; /* of the box's sides */
-    num_t middle[3], reach[3];
+    num_t middle[3], share[3][3];
+    int rows; /* two in a parallel view: E is one */
 } extent_t;
 
 /* Smallest b with |v| < 2^b. */
@@ -22,38 +25,43 @@ static int bits_of(num_t v) {
 }
 
 static void set_extent(extent_t *x, const camera_t *cam, const num_t lo[3], const num_t hi[3]) {
-    num_t middle[3];
+    num_t middle[3], half[3];
+    x->rows = cam->perspective ? 3 : 2;
     for (int n = 0; n < 3; n++) {
         middle[n] = num_ldexp(num_add(lo[n], hi[n]), -1);
-        x->half[n] = num_ldexp(num_sub(hi[n], lo[n]), -1);
+        half[n] = num_ldexp(num_sub(hi[n], lo[n]), -1);
     }
-    camera_project(cam, middle, x->middle);
-    for (int k = 0; k < 3; k++) {
-        x->reach[k] = num_from_i64(0);
-        for (int n = 0; n < 3; n++) x->reach[k] = num_add(x->reach[k], num_abs(num_mul(cam->m[k][n], x->half[n])));
+    for (int k = 0; k < x->rows; k++) {
+        x->middle[k] = camera_project_row(cam, k, middle);
+        for (int n = 0; n < 3; n++) x->share[k][n] = num_mul(cam->m[k][n], half[n]);
     }
 }
 
-/* Bits of the corners, and of each share of theirs. */
+/* Bits of the farthest corner, and so of each share. */
 static int extent_bits(const extent_t *x, int k) {
-    return bits_of(num_add(num_abs(x->middle[k]), x->reach[k]));
+    num_t sum = num_abs(x->middle[k]);
+    for (int n = 0; n < 3; n++) sum = num_add(sum, num_abs(x->share[k][n]));
+    return bits_of(sum);
 }
 
-/* Is no corner beyond a side of the window? A corner's distance from one is X - w E, which is linear. */
-static bool is_inside(const extent_t *x, const camera_t *cam) {
-    const page_window_t *w = &cam->window;
+static int64_t sum_abs(const int64_t a[3]) {
+    return (int64_t)(ints_abs64(a[0]) + ints_abs64(a[1]) + ints_abs64(a[2]));
+}
+
+/* Is no corner beyond a side of the window? How far one is from a side is X - w E, which is linear. */
+static bool is_inside(const extent_t *x, const page_window_t *window, int frac_bits) {
     /* one lat of grace: a picture fitted to the window touches it */
-    const int32_t side[4] = {w->x0_lat - 1, w->y0_lat - 1, w->x1_lat + 1, w->y1_lat + 1};
-    if (num_cmp(x->middle[2], x->reach[2]) <= 0) return false;
+    const int32_t side[4] = {window->x0_lat - 1, window->y0_lat - 1, window->x1_lat + 1, window->y1_lat + 1};
+    int64_t at[3][4] = {{0}}; /* shares, and the middle */
+    for (int k = 0; k < 3; k++)
+        for (int n = 0; n < 4 && k < x->rows; n++)
+            at[k][n] = num_to_fixed(n < 3 ? x->share[k][n] : x->middle[k], frac_bits, NULL);
+    if (x->rows == 2) at[2][3] = (int64_t)1 << frac_bits;
+    if (at[2][3] <= sum_abs(at[2])) return false;
     for (int i = 0; i < 4; i++) {
-        const num_t at = num_from_i64(side[i]), *row = cam->m[i & 1];
-        num_t inward = num_sub(x->middle[i & 1], num_mul(at, x->middle[2])), reach = x->reach[i & 1];
-        if (i >= 2) inward = num_neg(inward);
-        for (int n = 0; n < 3 && cam->perspective; n++) {
-            if (n == 0) reach = num_from_i64(0);
-            reach = num_add(reach, num_abs(num_mul(num_sub(row[n], num_mul(at, cam->m[2][n])), x->half[n])));
-        }
-        if (num_cmp(inward, reach) < 0) return false;
+        int64_t from[4];
+        for (int n = 0; n < 4; n++) from[n] = at[i & 1][n] - side[i] * at[2][n];
+        if ((i < 2 ? from[3] : -from[3]) < sum_abs(from) + SPARE) return false;
     }
     return true;
 }
@@ -61,7 +69,7 @@ static bool is_inside(const extent_t *x, const camera_t *cam) {
 int camera_scale(const camera_t *cam, const num_t lo[3], const num_t hi[3], line_space_t *lines) {
     extent_t x;
     set_extent(&x, cam, lo, hi);
-    const int bits_x = extent_bits(&x, 0), bits_y = extent_bits(&x, 1), bits_e = extent_bits(&x, 2);
+    const int bits_x = extent_bits(&x, 0), bits_y = extent_bits(&x, 1), bits_e = x.rows == 3 ? extent_bits(&x, 2) : 1;
     /* Two spare bits: a sum of three shares, and interpolation. */
     int by_xy = H_BITS - 2 - (bits_x > bits_y ? bits_x : bits_y), by_e = E_BITS - bits_e;
     lines->frac_bits = by_xy < by_e ? by_xy : by_e;
@@ -69,7 +77,7 @@ int camera_scale(const camera_t *cam, const num_t lo[3], const num_t hi[3], line
     if (lines->frac_bits < (cam->perspective ? -900 : 1) || lines->frac_bits > 1000) return ERR_VALUE;
     int64_t far_e = num_to_fixed(num_ldexp(num_from_i64(1), bits_e), lines->frac_bits, NULL);
     lines->near_e = cam->perspective ? (far_e >> NEAR_SHIFT) + 1 : 1;
-    lines->all_inside = is_inside(&x, cam);
+    lines->all_inside = is_inside(&x, &cam->window, lines->frac_bits);
     lines->perspective = cam->perspective;
     lines->window = &cam->window;
     return 0;

@@ -42,7 +42,8 @@ static int32_t bits_for(const num_t *a, int n, int bits) {
 }
 
 static void setup_rows(solid_map_t *m) {
-    for (int r = 0; r < 3; r++) {
+    if (!m->cam->perspective) m->row[2][3] = (int64_t)1 << m->lines.frac_bits;
+    for (int r = 0; r < (m->cam->perspective ? 3 : 2); r++) {
         num_t row[4];
         lattice_row(m, r, row);
         /* coefficients as fine as they fit, but not finer than the result needs: 2^-32 of its units */
@@ -135,13 +136,55 @@ static solid_place_t place_of(const solid_map_t *m, const page_h_t *h) {
 }
 
 static solid_place_t place_vertex(const solid_map_t *m, int32_t v) {
-    if (!m->lines.perspective) {
-        const solid_vertex_t *at = &m->solid->vertex[v];
-        return (solid_place_t){place_flat(m, row_times(m, 0, at)), place_flat(m, row_times(m, 1, at)),
-                               (int32_t)low_sar(wide_dot3(m->z_row, at->at), m->z_shift)};
-    }
     page_h_t h = solid_map_vertex(m, v);
-    return h.e < m->lines.near_e ? (solid_place_t){0, 0, INT32_MIN} : place_of(m, &h);
+    if (h.e < m->lines.near_e) return (solid_place_t){0, 0, INT32_MIN};
+    solid_place_t p = place_of(m, &h);
+    if (!m->lines.perspective) p.z = (int32_t)low_sar(wide_dot3(m->z_row, m->solid->vertex[v].at), m->z_shift);
+    return p;
+}
+
+/* A row of a parallel view with coefficients of 31 bits: (by . v + by[3]) / 2^shift. */
+typedef struct quick_row {
+    int32_t by[3], shift;
+    int64_t rest;
+} quick_row_t;
+
+#define QUICK_BITS 31
+#define QUICK_LEAST 32 /* bits below a lat: three coefficients rounded to halves times 2^27 are a twentieth of one */
+
+/* of: coefficients with `bits` bits below the result's units; rest: what is added, with frac_bits. */
+static quick_row_t quick_row(const int64_t of[3], int32_t bits, int64_t rest, int32_t frac_bits) {
+    const uint64_t most = ints_abs64(of[0]) | ints_abs64(of[1]) | ints_abs64(of[2]);
+    int32_t drop = (most ? 64 - ints_clz64(most) : 0) - QUICK_BITS + 1; /* rounding up stays below 2^31 */
+    if (drop < bits - frac_bits) drop = bits - frac_bits;
+    if (drop < 1) drop = 1;
+    quick_row_t q = {.shift = bits - drop};
+    for (int k = 0; k < 3; k++) q.by[k] = (int32_t)(((of[k] >> (drop - 1)) + 1) >> 1);
+    if (q.shift >= QUICK_LEAST) q.rest = (rest >> (frac_bits - q.shift)) + ((int64_t)1 << (q.shift - 1));
+    return q;
+}
+
+static inline int64_t quick_times(const quick_row_t *q, const int32_t v[3]) {
+    const int64_t sum = wide_mul_s32(q->by[0], v[0]) + wide_mul_s32(q->by[1], v[1]) + wide_mul_s32(q->by[2], v[2]);
+    return (sum + q->rest) >> q->shift;
+}
+
+/* All vertices of a parallel view of usual size; false: it is not. */
+static bool place_quickly(solid_map_t *m) {
+    quick_row_t row[3];
+    for (int r = 0; r < 2; r++) {
+        row[r] = quick_row(m->row[r], m->row_bits[r] + m->lines.frac_bits, m->row[r][3], m->lines.frac_bits);
+        if (row[r].shift < QUICK_LEAST) return false;
+    }
+    row[2] = quick_row(m->z_row, m->z_shift, 0, m->z_shift);
+    const solid_vertex_t *v = m->solid->vertex;
+    solid_place_t *p = m->place;
+    for (const solid_vertex_t *end = v + m->solid->nv; v < end; v++, p++) {
+        p->x = (int32_t)quick_times(&row[0], v->at);
+        p->y = (int32_t)quick_times(&row[1], v->at);
+        p->z = (int32_t)quick_times(&row[2], v->at);
+    }
+    return m->all_good = true;
 }
 
 int solid_map_setup(solid_map_t *m, const solid_t *solid, const camera_t *cam, void *place) {
@@ -154,6 +197,7 @@ int solid_map_setup(solid_map_t *m, const solid_t *solid, const camera_t *cam, v
     if (err) return err;
     setup_rows(m);
     setup_depth(m);
+    if (!m->lines.perspective && place_quickly(m)) return 0;
     bool all_good = true;
     for (int32_t v = 0; v < solid->nv; v++) {
         m->place[v] = place_vertex(m, v);
