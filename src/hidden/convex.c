@@ -78,7 +78,7 @@ static inline bool is_apart(const page_box_t *b, const shadow_t *s) {
 
 /* May it hide a part of the line? Else it is beside it, or all of it is behind. */
 static inline bool is_near(const drawing_t *d, const shadow_t *s) {
-    return !is_apart(&d->box, s) && s->z <= d->z;
+    return !(is_apart(&d->box, s) | (s->z > d->z));
 }
 
 /* False: nothing is left, or there is no room. */
@@ -158,8 +158,12 @@ static void hide(drawing_t *d, int32_t off_lat) {
     if (is_off_page(d->map, &d->box)) return;
     if (whole && d->nears > 0) {
         for (int32_t k = 0; k < d->nears; k++) {
-            const shadow_t *s = &d->shadows.list[d->near[k]];
-            if (is_near(d, s) && !compare(d, s)) return;
+            const int32_t at = d->near[k];
+            const shadow_t *s = &d->shadows.list[at];
+            if (!is_near(d, s) || compare(d, s)) continue;
+            d->near[k] = d->near[0]; /* likely to hide all of its neighbours, too */
+            d->near[0] = at;
+            return;
         }
     } else if (d->grid.start) {
         page_grid_walk(&d->grid, a, b, off_lat, compare_all, d);

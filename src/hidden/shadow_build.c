@@ -14,8 +14,10 @@ static bool is_part(const shadows_t *s, int32_t f) {
     return is & (SHADOW_BENT | SHADOW_FRONT) || ((is & SHADOW_OPEN) && (is & SHADOW_SIDE) == SHADOW_AWAY);
 }
 
-static bool is_outline(const shadows_t *s, const solid_edge_t *e) {
-    return shadows_is_outline(s, e) && s->face[e->face[0]] & SHADOW_WHOLE;
+static inline bool is_outline(const shadows_t *s, const solid_edge_t *e) {
+    if ((e->face[0] | e->face[1]) < 0) return false; /* one is -1 */
+    const uint8_t is = s->face[e->face[0]];
+    return (is ^ s->face[e->face[1]]) & SHADOW_FRONT && is & SHADOW_WHOLE;
 }
 
 typedef struct counts {
@@ -23,15 +25,16 @@ typedef struct counts {
 } counts_t;
 
 /* n . p - c < 0 behind; the slack makes what is near the plane lie in front. */
-static void set_plane(shadow_plane_t *plane, const solid_normal_t *n, const solid_vertex_t *p, bool turned) {
+static inline void set_plane(shadow_plane_t *plane, const solid_normal_t *n, const solid_vertex_t *p, bool turned) {
     solid_normal_t m = *n;
-    for (int k = 0; k < 3 && turned; k++) m.n[k] = -m.n[k];
+    if (turned)
+        for (int k = 0; k < 3; k++) m.n[k] = -m.n[k];
     solid_shorten(&m);
-    plane->c = 0;
-    for (int k = 0; k < 3; k++) {
-        plane->n[k] = (int32_t)m.n[k];
-        plane->c += wide_mul_s32(plane->n[k], p->at[k]) - (int64_t)solid_abs(m.n[k]) * SOLID_FLAT;
-    }
+    const int32_t x = (int32_t)m.n[0], y = (int32_t)m.n[1], z = (int32_t)m.n[2];
+    *plane = (shadow_plane_t){wide_mul_s32(x, p->at[0]) + wide_mul_s32(y, p->at[1]) + wide_mul_s32(z, p->at[2]) -
+                                  (int64_t)(solid_abs(x) + solid_abs(y) + solid_abs(z)) * SOLID_FLAT,
+                              {x, y, z},
+                              0};
 }
 
 /* Adds a vertex to the picture's box. */
