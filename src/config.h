@@ -90,6 +90,11 @@
 #define CONFIG_ONCE_AWAY CONFIG_AREA
 #endif
 
+/* 1: which bodies are near an edge is looked up (hidden/convex.c), and sides of faces are seen from their pictures. 0:
+ * all bodies are asked, as is right where there can only be a few. Nothing depends on it but speed; 1.5 KB of code. */
+#ifndef CONFIG_MANY_BODIES
+#define CONFIG_MANY_BODIES 1
+#endif
 /* 1: what a horizon is nowhere below is remembered, and its gap goes far by leaps (hidden/lowest.h). Nothing depends on
  * it but speed; 1.2 KB of code. */
 #ifndef CONFIG_LOWEST

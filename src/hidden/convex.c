@@ -8,8 +8,8 @@
 #define PARTS_LEAST 16 /* visible parts of one edge there is room for at least */
 #define OFF 2          /* lat, and units of depth: places are rounded */
 #define NEAR_MOST 32   /* shadows near an object that are remembered while its edges are drawn */
-#define FEW_MOST 16    /* so many shadows are looked through without a grid */
-#define PLAIN_MOST 128 /* and so many if that is done once for an object */
+#define FEW_MOST 16    /* so many shadows are looked through without a grid, */
+#define FEW_ONCE 128   /* and so many where that is done once for an object */
 
 /* A visible part of the edge at hand: parameters. */
 typedef struct part {
@@ -27,18 +27,20 @@ typedef struct drawing {
     int32_t edge;     /* at hand */
     int32_t owner[2]; /* what its first two faces belong to (shadow.h) does not hide it */
     shadow_line_t line;
-    page_box_t box;     /* of the line's picture, and two lat for rounding */
-    int32_t z;          /* its farthest depth, and as much */
-    int32_t *near;      /* shadows that may hide edges of the one in `near_of`, NEAR_MOST */
-    int32_t nears;      /* of them; -1: too many */
-    int32_t near_of;    /* owner, or INT32_MAX */
+    page_box_t box; /* of the line's picture, and two lat for rounding */
+    int32_t z;      /* its farthest depth, and as much */
+    int32_t *near;  /* shadows that may hide edges of the one in `near_of` */
+    int32_t nears;  /* of them; -1: too many */
+    int32_t nears_max;
+    int32_t near_of; /* owner, or INT32_MAX */
     bool full;
 } drawing_t;
 
 size_t convex_bytes(int32_t faces, int32_t corners, int32_t segments) {
     (void)segments;
-    return SHADOW_BYTES(faces, corners) + (size_t)corners * 9 * sizeof(int32_t) + PARTS_LEAST * sizeof(part_t) +
-           NEAR_MOST * sizeof(int32_t) + 256;
+    const int32_t nears = corners < FEW_ONCE ? corners : FEW_ONCE;
+    return SHADOW_BYTES(faces, corners) + ((size_t)corners * 9 + (size_t)nears) * sizeof(int32_t) +
+           PARTS_LEAST * sizeof(part_t) + 256;
 }
 
 static page_box_t shadow_box(void *ctx, int32_t k) {
@@ -103,10 +105,11 @@ static bool compare_all(void *ctx, const int32_t *from, const int32_t *end) {
     return true;
 }
 
+/* False: there is no room. */
 static bool note(drawing_t *d, int32_t k) {
     const shadow_t *s = &d->shadows.list[k];
     if (!is_near(d, s) || s->owner == d->owner[0]) return true;
-    if (d->nears == NEAR_MOST) return false;
+    if (d->nears == d->nears_max) return false;
     d->near[d->nears++] = k;
     return true;
 }
@@ -123,16 +126,16 @@ static bool note_all(void *ctx, const int32_t *from, const int32_t *end) {
     return true;
 }
 
-/* Finds the few shadows near the whole object that the edge at hand belongs to, once for all its edges. */
+/* Finds the few shadows near the whole object that the edge at hand belongs to, once for all of its edges. */
 static void find_near(drawing_t *d) {
     const shadow_t *own = &d->shadows.list[d->shadows.part[~d->owner[0]]];
-    d->near_of = d->owner[0];
-    d->nears = 0;
     d->box = (page_box_t){own->x0 - OFF, own->y0 - OFF, own->x1 + OFF, own->y1 + OFF};
     d->z = own->far < INT32_MAX ? own->far + OFF : INT32_MAX;
+    d->near_of = d->owner[0];
+    d->nears = 0;
     if (!d->grid.start) {
         for (int32_t k = 0; k < d->shadows.n; k++) note(d, k);
-    } else if (own->exact || !page_grid_visit(&d->grid, &d->box, note_all, d)) {
+    } else if (!page_grid_visit(&d->grid, &d->box, note_all, d)) {
         d->nears = -1;
     }
 }
@@ -143,33 +146,37 @@ static bool is_off_page(const solid_map_t *m, const page_box_t *b) {
     return !m->lines.all_inside && (b->x1 < w->x0_lat || b->x0 > w->x1_lat || b->y1 < w->y0_lat || b->y0 > w->y1_lat);
 }
 
-/* Takes off what is hidden of the edge at hand. */
-static void hide(drawing_t *d, int32_t off_lat) {
+static void set_box(drawing_t *d, int32_t off_lat) {
     const solid_place_t *a = &d->line.end[0], *b = &d->line.end[1];
-    const bool whole = d->owner[0] < 0 && d->owner[0] == d->owner[1];
-    if (whole && d->near_of != d->owner[0]) find_near(d);
-    if (whole && d->nears == 0) return;
     const int32_t off = off_lat + OFF;
     d->box.x0 = (a->x < b->x ? a->x : b->x) - off;
     d->box.y0 = (a->y < b->y ? a->y : b->y) - off;
     d->box.x1 = (a->x < b->x ? b->x : a->x) + off;
     d->box.y1 = (a->y < b->y ? b->y : a->y) + off;
     d->z = (a->z > b->z ? a->z : b->z) + OFF;
+}
+
+/* Takes off what is hidden of the edge at hand. */
+static void hide(drawing_t *d, int32_t off_lat) {
+    const bool whole = CONFIG_MANY_BODIES && d->owner[0] < 0 && d->owner[0] == d->owner[1];
+    if (whole && d->near_of != d->owner[0]) find_near(d);
+    if (whole && d->nears == 0) return;
+    set_box(d, off_lat);
     if (is_off_page(d->map, &d->box)) return;
-    if (whole && d->nears > 0) {
-        for (int32_t k = 0; k < d->nears; k++) {
-            const int32_t at = d->near[k];
-            const shadow_t *s = &d->shadows.list[at];
-            if (!is_near(d, s) || compare(d, s)) continue;
-            d->near[k] = d->near[0]; /* likely to hide all of its neighbours, too */
+    if (CONFIG_MANY_BODIES && d->grid.start && !(whole && d->nears > 0)) {
+        page_grid_walk(&d->grid, &d->line.end[0], &d->line.end[1], off_lat, compare_all, d);
+        return;
+    }
+    const int32_t n = whole ? d->nears : d->shadows.n;
+    for (int32_t k = 0; k < n; k++) {
+        const int32_t at = whole ? d->near[k] : k;
+        const shadow_t *s = &d->shadows.list[at];
+        if (!is_near(d, s) || compare(d, s)) continue;
+        if (whole) { /* likely to hide all of its neighbours, too */
+            d->near[k] = d->near[0];
             d->near[0] = at;
-            return;
         }
-    } else if (d->grid.start) {
-        page_grid_walk(&d->grid, a, b, off_lat, compare_all, d);
-    } else {
-        for (int32_t k = 0; k < d->shadows.n; k++)
-            if (is_near(d, &d->shadows.list[k]) && !compare(d, &d->shadows.list[k])) return;
+        return;
     }
 }
 
@@ -218,11 +225,11 @@ static enum fate fate_of(const drawing_t *d, int32_t edge) {
     return LINE;
 }
 
-/* Between two faces of one whole object, as most edges are, and a line if one of them looks at the eye? */
+/* Between two faces of one whole object, as most edges are? */
 static inline bool is_plain_edge(const drawing_t *d, int32_t edge) {
     const solid_edge_t *e = &d->map->solid->edge[edge];
-    return e->twin < 0 && e->first == edge && e->face[0] >= 0 && e->face[1] >= 0 && e->face[0] != e->face[1] &&
-           (d->shadows.face[e->face[0]] & (SHADOW_WHOLE | SHADOW_SMOOTH)) == SHADOW_WHOLE;
+    return CONFIG_MANY_BODIES && e->twin < 0 && e->first == edge && e->face[0] >= 0 && e->face[1] >= 0 &&
+           e->face[0] != e->face[1] && (d->shadows.face[e->face[0]] & (SHADOW_WHOLE | SHADOW_SMOOTH)) == SHADOW_WHOLE;
 }
 
 static int draw_edge(drawing_t *d, int32_t edge) {
@@ -251,7 +258,9 @@ static int draw_edge(drawing_t *d, int32_t edge) {
     d->parts = 0;
     if (fate == LINE) {
         for (int k = 0; k < 2; k++)
-            d->owner[k] = k && plain ? d->owner[0] : e->face[k] < 0 ? INT32_MAX : shadows_owner(&d->shadows, e->face[k]);
+            d->owner[k] = k && plain       ? d->owner[0]
+                          : e->face[k] < 0 ? INT32_MAX
+                                           : shadows_owner(&d->shadows, e->face[k]);
         line->v[0] = e->v[0];
         line->v[1] = e->v[1];
         d->part[0] = (part_t){(int32_t)t_q30[0], (int32_t)t_q30[1]};
@@ -262,23 +271,28 @@ static int draw_edge(drawing_t *d, int32_t edge) {
     return emit_parts(d, (int32_t)t_q30[0], (int32_t)t_q30[1]);
 }
 
-/* Are all shadows those of whole objects, and hardly any edges not theirs? Then few edges look for shadows at all. */
-static bool is_plain(const shadows_t *s) {
+/* Are shadows so few that all are looked through? If they all are whole objects', and hardly any edge is not theirs,
+ * that is done once for an object. */
+static bool are_few(const shadows_t *s) {
     const solid_t *solid = s->map->solid;
-    return s->n == s->whole && solid->ne - solid->nc / 2 <= solid->ne / 16;
+    const bool once = s->n == s->whole && solid->ne - solid->nc / 2 <= solid->ne / 16;
+    return !CONFIG_MANY_BODIES || s->n <= (once ? FEW_ONCE : FEW_MOST);
 }
 
 /* Divides the memory: shadows, those near, room for parts, the grid; what the grid leaves goes to parts too. */
 static int set_up(drawing_t *d, const hidden_job_t *job) {
     int err = shadows_build(&d->shadows, d->map, job->mem, job->bytes);
     if (err) return err;
+    const bool few = are_few(&d->shadows);
+    const int32_t most = few ? (d->shadows.n + 1) & ~1 : NEAR_MOST;
     uint8_t *at = (uint8_t *)job->mem + d->shadows.bytes;
-    size_t left = job->bytes - d->shadows.bytes, used = NEAR_MOST * sizeof(int32_t);
+    size_t left = job->bytes - d->shadows.bytes, used = CONFIG_MANY_BODIES ? (size_t)most * sizeof(int32_t) : 0;
     const size_t least = PARTS_LEAST * sizeof(part_t);
     if (left < used + least) return ERR_FULL;
     d->near = (int32_t *)(void *)at;
     d->near_of = INT32_MAX;
-    if (d->shadows.n > (is_plain(&d->shadows) ? PLAIN_MOST : FEW_MOST)) {
+    d->nears_max = most;
+    if (!few) {
         const page_box_t window = page_grid_window(d->map);
         err = page_grid_build(&d->grid, &window, d->shadows.n, shadow_box, &d->shadows, at + used, left - used - least);
         if (err) return err;

@@ -42,9 +42,10 @@ static bool clip_by(clip_t *c, wide_t a, wide_t b, int sign_a, int sign_b) {
     return c->from < c->to;
 }
 
-/* Where it is not sure. Returns whether a part is behind. */
+/* Where it is not sure; touches: neither end is in front of the plane but for touching it. Returns whether a part is
+ * behind. */
 static bool clip_by_plane(const shadows_t *s, const shadow_t *shadow, int32_t face, const solid_vertex_t *const end[2],
-                          clip_t *c) {
+                          bool touches, clip_t *c) {
     const solid_vertex_t *on;
     solid_normal_t n;
     if (face >= 0) {
@@ -57,17 +58,17 @@ static bool clip_by_plane(const shadows_t *s, const shadow_t *shadow, int32_t fa
         on = &vertex[e[0].p];
         n = solid_cross(solid_sub(&vertex[e[0].q], on), solid_sub(&vertex[e[1].q], on));
     }
-    const wide_t slack = solid_slack(&n), a = wide_add(solid_dot(&n, solid_sub(end[0], on)), slack),
-                 b = wide_add(solid_dot(&n, solid_sub(end[1], on)), slack), twice = wide_add(slack, slack);
-    const int sign_a = wide_sign(a), sign_b = wide_sign(b);
+    const wide_t slack = solid_slack(&n);
+    wide_t at[2];
+    for (int i = 0; i < 2; i++) at[i] = wide_add(solid_dot(&n, solid_sub(end[i], on)), slack);
+    const int sign_a = wide_sign(at[0]), sign_b = wide_sign(at[1]);
     if (sign_a >= 0 && sign_b >= 0) return false;
-    return (wide_cmp(a, twice) <= 0 && wide_cmp(b, twice) <= 0) || clip_by(c, a, b, sign_a, sign_b);
+    return touches || clip_by(c, at[0], at[1], sign_a, sign_b);
 }
 
 /* Touching is not hidden, and a line that ends in touching does not cross. */
 static inline bool clip_by_planes(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, clip_t *c) {
-    const solid_vertex_t *vertex = s->map->solid->vertex,
-                         *const end[2] = {&vertex[line->v[0]], &vertex[line->v[1]]};
+    const solid_vertex_t *vertex = s->map->solid->vertex, *const end[2] = {&vertex[line->v[0]], &vertex[line->v[1]]};
     const shadow_plane_t *p = &s->plane[shadow->plane];
     for (const shadow_plane_t *last = p + shadow->planes; p < last; p++) {
         const int32_t x = p->n[0], y = p->n[1], z = p->n[2];
@@ -77,9 +78,9 @@ static inline bool clip_by_planes(const shadows_t *s, const shadow_t *shadow, co
                       most = a < b ? b : a, least = a < b ? a : b;
         if (most <= -SHADOW_NEAR) continue;
         if (least >= SHADOW_NEAR) return false;
-        const int64_t slack = (int64_t)(solid_abs(x) + solid_abs(y) + solid_abs(z)) * SOLID_FLAT;
-        if (least <= -SHADOW_NEAR && most <= 2 * slack - SHADOW_NEAR) continue;
-        if (!clip_by_plane(s, shadow, p->face, end, c)) return false;
+        const bool touches = most <= (int64_t)(solid_abs(x) + solid_abs(y) + solid_abs(z)) * (2 * SOLID_FLAT);
+        if (touches && least <= -SHADOW_NEAR) continue;
+        if (!clip_by_plane(s, shadow, p->face, end, touches, c)) return false;
     }
     return true;
 }
@@ -114,8 +115,9 @@ typedef struct open_edges {
 } open_edges_t;
 
 /* The outline's edges from the page: is the line surely outside of one? An end's distance from an edge p q is
- * (p - end) x (q - end), which grows by q x line - p x line to the other end. Only an edge whose ends the line parts can
- * be where it enters or leaves a convex outline; mostly one begins where the one before ends, and half of it is known. */
+ * (p - end) x (q - end), which grows by q x line - p x line to the other end. Only an edge whose ends the line parts
+ * can be where it enters or leaves a convex outline; mostly one begins where the one before ends, and half of it is
+ * known. */
 static bool is_outside(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, open_edges_t *open) {
     const solid_place_t *place = s->map->place, *from = &line->end[0];
     const shadow_edge_t *e = &s->outline[shadow->outline];

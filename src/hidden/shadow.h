@@ -9,8 +9,8 @@
  * plane is made again from its face where a segment crosses it or comes near. In the same way the outline is first held
  * against the line's picture, and only what crosses it there is decided in space.
  *
- * Memory: SHADOW_BYTES() at most; in use afterwards 48 bytes a shadow, 24 a plane, 8 an edge of an outline, 1 a face, 5 an
- * object.
+ * Memory: SHADOW_BYTES() at most; in use afterwards 48 bytes a shadow, 24 a plane, 8 an edge of an outline, 1 a face, 5
+ * an object.
  */
 #ifndef SHADOW_H
 #define SHADOW_H
@@ -33,7 +33,7 @@ typedef struct shadow {
     int32_t plane, outline;
     int32_t outlines;
     int16_t planes;
-    bool exact; /* places on the page are of no use */
+    bool exact;             /* places on the page are of no use */
     int32_t x0, y0, x1, y1; /* lat: box of the picture; everything for a part that reaches behind the eye */
     int32_t z, far;         /* nearest depth (solid_place_t), INT32_MIN then, and farthest of what is seen */
     int32_t seen;           /* the user's: last line it was compared with */

@@ -56,8 +56,14 @@ static void finish_box(shadow_t *part) {
     part->x1 = part->y1 = SOLID_PLACE_MOST;
 }
 
-static const shadow_t EMPTY = {
-    .x0 = INT32_MAX, .y0 = INT32_MAX, .x1 = INT32_MIN, .y1 = INT32_MIN, .z = INT32_MAX, .far = INT32_MIN, .seen = INT32_MAX, .owner = INT32_MIN};
+static const shadow_t EMPTY = {.x0 = INT32_MAX,
+                               .y0 = INT32_MAX,
+                               .x1 = INT32_MIN,
+                               .y1 = INT32_MIN,
+                               .z = INT32_MAX,
+                               .far = INT32_MIN,
+                               .seen = INT32_MAX,
+                               .owner = INT32_MIN};
 
 /* One polygon of n corners; away: its other side is seen. face: whose it is, -1 for a triangle of one. */
 static void add_polygon(shadows_t *s, counts_t *at, const int32_t *corner, int32_t n, const solid_normal_t *normal,
@@ -268,7 +274,7 @@ int shadows_build(shadows_t *s, const solid_map_t *map, void *mem, size_t bytes)
     fill_outlines(s);
     for (int32_t k = 0; k < whole; k++) {
         finish_box(&s->list[k]);
-        chain(&s->outline[s->list[k].outline], s->list[k].outlines);
+        if (CONFIG_MANY_BODIES) chain(&s->outline[s->list[k].outline], s->list[k].outlines);
     }
     s->whole = whole;
     s->n = (int32_t)fill.at.parts;

@@ -28,7 +28,7 @@ static void find_sides(shadows_t *s) {
     for (int32_t f = 0; f < solid->nf; f++) {
         const solid_face_t *face = &solid->face[f];
         const bool known = solid->object[face->object].kind == SOLID_CONVEX;
-        int side = known || face->n == 3 ? side_on_page(s, face) : 0;
+        int side = CONFIG_MANY_BODIES && (known || face->n == 3) ? side_on_page(s, face) : 0;
         bool bent = false;
         if (side == 0) {
             solid_normal_t n = solid_face_normal(solid, f);

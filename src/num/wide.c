@@ -82,3 +82,11 @@ uint64_t wide_div_u64(uint64_t hi, uint64_t lo, uint64_t d, uint64_t *rem) {
 }
 
 #endif
+
+#ifndef __SIZEOF_INT128__
+wide_t wide_dot3_s64(const int64_t a[3], const int64_t b[3]) {
+    wide_t sum = {0, 0};
+    for (int k = 0; k < 3; k++) sum = wide_add(sum, wide_mul_s64(a[k], b[k]));
+    return sum;
+}
+#endif

@@ -240,16 +240,14 @@ static inline wide_t wide_dot3(const int64_t a[3], const int32_t b[3]) {
 }
 
 /* The same of 64-bit operands. */
-static inline wide_t wide_dot3_s64(const int64_t a[3], const int64_t b[3]) {
 #ifdef __SIZEOF_INT128__
+static inline wide_t wide_dot3_s64(const int64_t a[3], const int64_t b[3]) {
     wide_native_t p = (wide_native_t)a[0] * b[0] + (wide_native_t)a[1] * b[1] + (wide_native_t)a[2] * b[2];
     return wide_of_native((wide_native_u_t)p);
-#else
-    wide_t sum = wide_mul_s64(a[0], b[0]);
-    for (int k = 1; k < 3; k++) sum = wide_add(sum, wide_mul_s64(a[k], b[k]));
-    return sum;
-#endif
 }
+#else
+wide_t wide_dot3_s64(const int64_t a[3], const int64_t b[3]);
+#endif
 
 /* The exact sign of a*d - b*c, any operands. */
 static inline int wide_det_sign(int64_t a, int64_t b, int64_t c, int64_t d) {

@@ -24,6 +24,11 @@ solid_normal_t solid_face_normal(const solid_t *s, int32_t face) {
     return sum;
 }
 
+wide_t solid_slack(const solid_normal_t *n) {
+    wide_u_t p = wide_mul_u64(solid_abs(n->n[0]) + solid_abs(n->n[1]) + solid_abs(n->n[2]), SOLID_FLAT);
+    return (wide_t){(int64_t)p.hi, p.lo};
+}
+
 static bool is_within(wide_t v, wide_t slack) {
     return wide_cmp(v, slack) <= 0 && wide_cmp(v, wide_neg(slack)) >= 0;
 }

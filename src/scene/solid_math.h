@@ -32,10 +32,7 @@ static inline uint64_t solid_abs(int64_t a) {
 }
 
 /* SOLID_FLAT times the sum of the normal's components: how much a dot product may differ from 0 in its plane. */
-static inline wide_t solid_slack(const solid_normal_t *n) {
-    wide_u_t p = wide_mul_u64(solid_abs(n->n[0]) + solid_abs(n->n[1]) + solid_abs(n->n[2]), SOLID_FLAT);
-    return (wide_t){(int64_t)p.hi, p.lo};
-}
+wide_t solid_slack(const solid_normal_t *n);
 
 /* Twice the area of a face as a vector: its normal, outward where it runs outward. All zero for a face without an area,
  * or one so tangled that it has none. */

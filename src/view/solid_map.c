@@ -41,22 +41,43 @@ static int32_t bits_for(const num_t *a, int n, int bits) {
     return most == INT32_MIN ? 0 : bits - most;
 }
 
-static void setup_rows(solid_map_t *m) {
-    if (!m->cam->perspective) m->row[2][3] = (int64_t)1 << m->lines.frac_bits;
-    for (int r = 0; r < (m->cam->perspective ? 3 : 2); r++) {
+/* A row of a parallel view in 32 bits: (by . v + rest) / 2^shift. */
+typedef struct quick_row {
+    int32_t by[3], shift;
+    int64_t rest;
+} quick_row_t;
+
+#define QUICK_BITS 30  /* of coefficients */
+#define QUICK_LEAST 32 /* bits below a lat: three coefficients rounded to halves times 2^27 are a twentieth of one */
+
+/* Returns whether the quick rows will do, of which the first two are set. */
+static bool setup_rows(solid_map_t *m, quick_row_t quick[3]) {
+    const int32_t frac_bits = m->lines.frac_bits;
+    const int rows = m->cam->perspective ? 3 : 2;
+    bool enough = rows == 2;
+    m->row[2][3] = enough ? (int64_t)1 << frac_bits : 0;
+    for (int r = 0; r < rows; r++) {
         num_t row[4];
         lattice_row(m, r, row);
         /* coefficients as fine as they fit, but not finer than the result needs: 2^-32 of its units */
-        int32_t bits = bits_for(row, 3, ROW_BITS);
-        if (bits > m->lines.frac_bits + SOLID_BITS + 4) bits = m->lines.frac_bits + SOLID_BITS + 4;
-        m->row_bits[r] = bits - m->lines.frac_bits;
-        if (m->row_bits[r] < 0) { /* far beyond any use; camera_scale has seen to it */
-            m->row_bits[r] = 0;
-            bits = m->lines.frac_bits;
+        int32_t bits = bits_for(row, 3, ROW_BITS), shift = bits - ROW_BITS + QUICK_BITS;
+        if (bits > frac_bits + SOLID_BITS + 4) bits = frac_bits + SOLID_BITS + 4;
+        if (bits < frac_bits) bits = frac_bits; /* far beyond any use; camera_scale has seen to it */
+        m->row_bits[r] = bits - frac_bits;
+        if (shift > frac_bits) shift = frac_bits; /* sums fit */
+        enough = enough && shift >= QUICK_LEAST;
+        for (int k = 0; k < 4; k++) {
+            m->row[r][k] = num_to_fixed(row[k], k < 3 ? bits : frac_bits, NULL);
+            if (!enough) continue;
+            const int64_t a = num_to_fixed(row[k], shift, NULL);
+            if (k < 3)
+                quick[r].by[k] = (int32_t)a;
+            else
+                quick[r].rest = a + ((int64_t)1 << (shift - 1));
         }
-        for (int k = 0; k < 3; k++) m->row[r][k] = num_to_fixed(row[k], bits, NULL);
-        m->row[r][3] = num_to_fixed(row[3], m->lines.frac_bits, NULL);
+        quick[r].shift = shift;
     }
+    return enough;
 }
 
 static int setup_eye(solid_map_t *m) {
@@ -76,14 +97,20 @@ static int setup_eye(solid_map_t *m) {
 }
 
 /* Parallel: depth is against the direction to the eye. */
-static void setup_depth(solid_map_t *m) {
+static void setup_depth(solid_map_t *m, quick_row_t *quick) {
     uint64_t most = 0;
     for (int k = 0; k < 3; k++) {
         uint64_t a = ints_abs64(m->eye.e[k]);
         most = a > most ? a : most;
     }
     m->z_shift = (most ? 64 - ints_clz64(most) : 0) + SOLID_BITS + 1 - SOLID_Z_BITS; /* three products of 2^27 */
-    for (int k = 0; k < 3; k++) m->z_row[k] = -m->eye.e[k];
+    const int32_t drop = SOLID_EYE_BITS - QUICK_BITS;
+    for (int k = 0; k < 3; k++) {
+        m->z_row[k] = -m->eye.e[k];
+        quick->by[k] = (int32_t)(m->z_row[k] >> drop);
+    }
+    quick->shift = m->z_shift - drop;
+    quick->rest = 0;
 }
 
 /* The lower half of a / 2^n, rounded down; 0 < n < 64. */
@@ -143,48 +170,24 @@ static solid_place_t place_vertex(const solid_map_t *m, int32_t v) {
     return p;
 }
 
-/* A row of a parallel view with coefficients of 31 bits: (by . v + by[3]) / 2^shift. */
-typedef struct quick_row {
-    int32_t by[3], shift;
-    int64_t rest;
-} quick_row_t;
-
-#define QUICK_BITS 31
-#define QUICK_LEAST 32 /* bits below a lat: three coefficients rounded to halves times 2^27 are a twentieth of one */
-
-/* of: coefficients with `bits` bits below the result's units; rest: what is added, with frac_bits. */
-static quick_row_t quick_row(const int64_t of[3], int32_t bits, int64_t rest, int32_t frac_bits) {
-    const uint64_t most = ints_abs64(of[0]) | ints_abs64(of[1]) | ints_abs64(of[2]);
-    int32_t drop = (most ? 64 - ints_clz64(most) : 0) - QUICK_BITS + 1; /* rounding up stays below 2^31 */
-    if (drop < bits - frac_bits) drop = bits - frac_bits;
-    if (drop < 1) drop = 1;
-    quick_row_t q = {.shift = bits - drop};
-    for (int k = 0; k < 3; k++) q.by[k] = (int32_t)(((of[k] >> (drop - 1)) + 1) >> 1);
-    if (q.shift >= QUICK_LEAST) q.rest = (rest >> (frac_bits - q.shift)) + ((int64_t)1 << (q.shift - 1));
-    return q;
-}
-
 static inline int64_t quick_times(const quick_row_t *q, const int32_t v[3]) {
     const int64_t sum = wide_mul_s32(q->by[0], v[0]) + wide_mul_s32(q->by[1], v[1]) + wide_mul_s32(q->by[2], v[2]);
     return (sum + q->rest) >> q->shift;
 }
 
-/* All vertices of a parallel view of usual size; false: it is not. */
-static bool place_quickly(solid_map_t *m) {
-    quick_row_t row[3];
-    for (int r = 0; r < 2; r++) {
-        row[r] = quick_row(m->row[r], m->row_bits[r] + m->lines.frac_bits, m->row[r][3], m->lines.frac_bits);
-        if (row[r].shift < QUICK_LEAST) return false;
-    }
-    row[2] = quick_row(m->z_row, m->z_shift, 0, m->z_shift);
-    const solid_vertex_t *v = m->solid->vertex;
+/* All vertices of a parallel view of usual size; none is beyond the limit. */
+static void place_quickly(const solid_map_t *m, const quick_row_t row[3]) {
     solid_place_t *p = m->place;
-    for (const solid_vertex_t *end = v + m->solid->nv; v < end; v++, p++) {
+    for (const solid_vertex_t *v = m->solid->vertex, *end = v + m->solid->nv; v < end; v++, p++) {
         p->x = (int32_t)quick_times(&row[0], v->at);
         p->y = (int32_t)quick_times(&row[1], v->at);
         p->z = (int32_t)quick_times(&row[2], v->at);
     }
-    return m->all_good = true;
+}
+
+bool solid_place_is_good(const solid_place_t *p) {
+    return p->z != INT32_MIN && p->x > -SOLID_PLACE_MOST && p->x < SOLID_PLACE_MOST && p->y > -SOLID_PLACE_MOST &&
+           p->y < SOLID_PLACE_MOST;
 }
 
 int solid_map_setup(solid_map_t *m, const solid_t *solid, const camera_t *cam, void *place) {
@@ -195,9 +198,13 @@ int solid_map_setup(solid_map_t *m, const solid_t *solid, const camera_t *cam, v
     m->lines.at = lines_at;
     err = setup_eye(m);
     if (err) return err;
-    setup_rows(m);
-    setup_depth(m);
-    if (!m->lines.perspective && place_quickly(m)) return 0;
+    quick_row_t quick[3];
+    m->all_good = setup_rows(m, quick);
+    setup_depth(m, &quick[2]);
+    if (m->all_good) {
+        place_quickly(m, quick);
+        return 0;
+    }
     bool all_good = true;
     for (int32_t v = 0; v < solid->nv; v++) {
         m->place[v] = place_vertex(m, v);

@@ -4,11 +4,11 @@
  *   exact in space   the lattice of the scene (solid.h) and the eye on it: eye = (e, w), the point e / w, or for w == 0
  *                    the direction e towards the eye. Which side of a plane of the lattice the eye is on, or a vertex
  * of a plane through the eye and two vertices, is then a determinant without rounding. on the page      x, y in lat,
- * rounded once for each vertex (good within half a lat, 1/800 of a step), and a depth z that is linear along a line's
- * picture: in parallel views the distance along the lines of sight, in perspective -1/E, both scaled to SOLID_Z_BITS;
- * smaller is nearer. A vertex behind the eye, or nearer than 2^-20 of the farthest, has no place on the page:
- * solid_map_is_behind(). Edges to one are cut: solid_map_edge(). Whatever ink such a piece gets is cut again, exactly,
- * by view/cut.
+ * rounded once for each vertex (good within half a lat and a twentieth, 1/800 of a step), and a depth z that is linear
+ * along a line's picture: in parallel views the distance along the lines of sight, in perspective -1/E, both scaled to
+ * SOLID_Z_BITS; smaller is nearer. A vertex behind the eye, or nearer than 2^-20 of the farthest, has no place on the
+ * page: solid_map_is_behind(). Edges to one are cut: solid_map_edge(). Whatever ink such a piece gets is cut again,
+ * exactly, by view/cut.
  *
  * Bits: e below 2^50, w at most 2^22, e - p w below 2^51, a plane through the eye and two vertices (difference times e
  * - p w) 2^80, times a difference 2^110: wide_t. Cost: nine products a vertex, and in perspective three divisions. */
@@ -65,12 +65,10 @@ int64_t solid_map_fine(const solid_map_t *m, int32_t v);
 static inline bool solid_map_is_behind(const solid_map_t *m, int32_t v) {
     return m->place[v].z == INT32_MIN;
 }
-/* Is it where x and y say, give or take half a lat: neither behind the eye nor beyond the limit? */
+/* Is it where x and y say, give or take half a lat and a hair: neither behind the eye nor beyond the limit? */
+bool solid_place_is_good(const solid_place_t *p);
 static inline bool solid_map_is_good(const solid_map_t *m, int32_t v) {
-    if (m->all_good) return true;
-    const solid_place_t *p = &m->place[v];
-    return p->z != INT32_MIN && p->x > -SOLID_PLACE_MOST && p->x < SOLID_PLACE_MOST && p->y > -SOLID_PLACE_MOST &&
-           p->y < SOLID_PLACE_MOST;
+    return m->all_good || solid_place_is_good(&m->place[v]);
 }
 /* An edge's ends on the page and the parameters in space of what is in front of the eye, 0 and INK_ONE for an edge that
  * is not cut there. If a vertex is not good, the places are where the edge, along itself, comes 32 mm close to the
