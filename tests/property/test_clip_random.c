@@ -231,7 +231,7 @@ static void test_random(void **state) {
         const char *wrong = judge(fill, seed % 400 == 0);
         if (!wrong) continue;
         failed++;
-        print_message("# FAILED: RIDGELINE_SEED=%llu build/tests/property/test_clip_random: %s\n",
+        print_message("# FAILED RIDGELINE_SEED=%llu build/tests/property/test_clip_random: %s\n",
                       (unsigned long long)seed, wrong);
         print("subject", &subject);
         print("clip", &clip);
@@ -389,7 +389,7 @@ static void test_large(void **state) {
         large.stretched += some;
         if (!wrong) continue;
         failed++;
-        print_message("# FAILED: RIDGELINE_SEED=%llu build/tests/property/test_clip_random: large: %s\n",
+        print_message("# FAILED RIDGELINE_SEED=%llu build/tests/property/test_clip_random: large: %s\n",
                       (unsigned long long)seed, wrong);
         print("subject", &subject);
         print("clip", &clip);

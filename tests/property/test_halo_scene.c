@@ -148,7 +148,7 @@ static bool run(now_t *s, uint64_t seed, bool solids, halo_page_report_t *r, boo
     if (*seen) *r = halo_page_judge(&s->view, s->line, s->n, s->set.halo_um * 1e-3, s->ink, s->pieces);
     const bool good = err == ERR_VALUE || err == ERR_EMPTY || (err == 0 && r->missing_mm < .6 && r->false_mm < .6);
     if (!good)
-        print_message("# FAILED: RIDGELINE_SEED=%llu build/tests/property/test_halo_scene\n"
+        print_message("# FAILED RIDGELINE_SEED=%llu build/tests/property/test_halo_scene\n"
                       "#   %s, %d lines, halo %g mm, %s: error %d, missing %g mm, false %g mm at %g,%g\n",
                       (unsigned long long)seed, solids ? s->solids.what : "grids", s->n, s->set.halo_um * 1e-3,
                       s->view.eye.h ? "perspective" : "parallel", err, r->missing_mm, r->false_mm, r->x, r->y);

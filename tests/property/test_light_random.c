@@ -450,11 +450,12 @@ static bool try_scene(uint64_t seed, int objects, tally_t *n) {
     const bool good = n->places_wrong == before.places_wrong && n->borders_wrong == before.borders_wrong &&
                       n->changes_missed == before.changes_missed;
     if (!good)
-        print_message("# RIDGELINE_SEED=%llu build/tests/property/test_light_random: %lld of %lld places, %lld of %lld "
-                      "borders, %lld of %lld changes (%d lights)\n",
-                      (unsigned long long)seed, n->places_wrong - before.places_wrong, n->places - before.places,
-                      n->borders_wrong - before.borders_wrong, n->borders - before.borders,
-                      n->changes_missed - before.changes_missed, n->changes - before.changes, c.lights);
+        print_message(
+            "# FAILED RIDGELINE_SEED=%llu build/tests/property/test_light_random: %lld of %lld places, %lld of %lld "
+            "borders, %lld of %lld changes (%d lights)\n",
+            (unsigned long long)seed, n->places_wrong - before.places_wrong, n->places - before.places,
+            n->borders_wrong - before.borders_wrong, n->borders - before.borders,
+            n->changes_missed - before.changes_missed, n->changes - before.changes, c.lights);
     return good;
 }
 

@@ -259,7 +259,7 @@ static void tones_are_where_patches_are(void **state) {
         for (int k = 0; k < PLACES && good; k++) good = judge_place();
         if (good) continue;
         wrong++;
-        print_message("# FAILED: RIDGELINE_SEED=%llu build/tests/property/test_patch_random\n%s",
+        print_message("# FAILED RIDGELINE_SEED=%llu build/tests/property/test_patch_random\n%s",
                       (unsigned long long)seed, c.text);
     }
     print_message("# patches: %lld faces (something is behind the eye of %lld), %lld places, %lld on a patch, %lld too "

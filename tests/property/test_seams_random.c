@@ -162,8 +162,8 @@ static void seams_are_where_faces_meet(void **state) {
         }
         solid_scene_free(&s);
     }
-    print_message("# seams: %d in %d scenes, %.1Lf times the size of a scene; worst difference %.1Lg of it\n", seams,
-                  scenes, length, worst);
+    print_message("# seams: %d scenes, %d seams, %.1Lf times the size of a scene; worst difference %.1Lg of it\n",
+                  scenes, seams, length, worst);
     assert_int_equal(failed, 0);
 }
 

@@ -136,10 +136,10 @@ static void test_three_together(void **state) {
 static void test_random(void **state) {
     (void)state;
     cases_t c = {.name = "test_several_random"};
-    uint64_t first = 7000000000, count = cases_scaled(500);
+    uint64_t first, to;
     int failed = 0;
-    if (cases_only_seed(&first)) count = 1;
-    for (uint64_t seed = first; seed < first + count && failed < 10; seed++) {
+    if (!cases_seeds(7000000000, cases_scaled(500), &first, &to)) return;
+    for (uint64_t seed = first; seed < to && failed < 10; seed++) {
         if (!try_seed(&c, seed)) failed++;
     }
     cases_summary(&c);

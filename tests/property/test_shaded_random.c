@@ -345,20 +345,20 @@ static bool try_scene(uint64_t seed, tally_t *n) {
     n->scenes++;
     try_places(n);
     if (n->wrong != before)
-        print_message(
-            "# RIDGELINE_SEED=%llu build/tests/property/test_shaded_random: %lld of %lld places (%d surfaces, %s)\n",
-            (unsigned long long)seed, n->wrong - before, n->places - places, c.n,
-            c.cam.perspective ? "perspective" : "rotated");
+        print_message("# FAILED RIDGELINE_SEED=%llu build/tests/property/test_shaded_random: %lld of %lld places (%d "
+                      "surfaces, %s)\n",
+                      (unsigned long long)seed, n->wrong - before, n->places - places, c.n,
+                      c.cam.perspective ? "perspective" : "rotated");
     return n->wrong == before;
 }
 
 static void hatching_is_where_rays_end(void **state) {
     (void)state;
     tally_t n = {0};
-    uint64_t only, first = 0, count = cases_scaled(400);
+    uint64_t first, to;
     int wrong = 0;
-    if (cases_only_seed(&only)) first = only, count = 1;
-    for (uint64_t seed = first; seed < first + count; seed++) wrong += !try_scene(seed, &n);
+    assert_true(cases_seeds(0, cases_scaled(400), &first, &to));
+    for (uint64_t seed = first; seed < to; seed++) wrong += !try_scene(seed, &n);
     print_message("# shaded: %lld scenes, %lld places, %lld hatched, %lld wrong in %d scenes\n", n.scenes, n.places,
                   n.drawn, n.wrong, wrong);
     assert_int_equal(wrong, 0);

@@ -24,18 +24,22 @@ while [ "$(date +%s)" -lt "$end" ]; do
         if [ $rc -ne 124 ] && [ $rc -ne 0 ] || grep -q FAILED "$log"; then
             cat "$log"
             echo "failed in round $round: RIDGELINE_CASES=$RIDGELINE_CASES RIDGELINE_ROUND=$round $run"
-            sed -n 's/^#* *repeat: //p; s/^# FAILED \(RIDGELINE_SEED=[0-9]* [^:]*\):.*/\1/p' "$log" | sort -u >>"$repeat"
+            sed -n 's/^#* *repeat: //p; s/^# FAILED:* \(RIDGELINE_SEED=[0-9]* [^: ]*\).*/\1/p' "$log" | sort -u >>"$repeat"
             [ -s "$repeat" ] || echo "RIDGELINE_CASES=$RIDGELINE_CASES RIDGELINE_ROUND=$round $run" >>"$repeat"
         fi
-        n=$(sed -n 's/^# .*: \([0-9]*\) \(scenes\|frames\).*/\1/p' "$log" | awk '{ s += $1 } END { print s + 0 }')
+        n=$(sed -n 's/^# .*: \([0-9]*\) \(scenes\|frames\|pairs\|drawings\|faces\).*/\1/p' "$log" | awk '{ s += $1 } END { print s + 0 }')
         scenes=$((scenes + n))
         echo "round $round, ${t##*/}: $n scenes, $scenes in all"
     done
     round=$((round + 1))
 done
+# User and system time of what was run.
+times >"$log"
+rate=$(awk -v n="$scenes" 'NR == 2 { gsub("[ms]", " "); s = $1 * 60 + $2 + $3 * 60 + $4
+    if (s > 0) printf " in %.1f minutes of CPU time, %.2f million an hour", s / 60, n / s * 3600 / 1e6 }' "$log")
 if [ -s "$repeat" ]; then
-    echo "$scenes scenes, $(wc -l <"$repeat") failed:"
+    echo "$scenes scenes$rate, $(wc -l <"$repeat") failed:"
     cat "$repeat"
     exit 1
 fi
-echo "$scenes scenes, none failed"
+echo "$scenes scenes$rate, none failed"
