@@ -13,26 +13,11 @@
 
 #include "error.h"
 #include "hidden/area_face.h"
+#include "tests/oracle/hard_bodies.h"
 #include "tests/oracle/num_of.h"
 #include "tests/oracle/page_ink.h"
 #include "tests/oracle/run_cases.h"
 #include "tests/oracle/solid_scenes.h"
-
-static void polygon(solid_ref_t *r, const double (*p)[3], int n) {
-    int v[32];
-    for (int k = 0; k < n; k++) v[k] = solid_ref_vertex(r, p[k][0], p[k][1], p[k][2]);
-    solid_ref_face(r, v, n);
-}
-
-static void box(solid_ref_t *r, double x, double y, double z, double a, double b, double c) {
-    int v[8];
-    for (int k = 0; k < 8; k++) v[k] = solid_ref_vertex(r, k & 1 ? x + a : x, k & 2 ? y + b : y, k & 4 ? z + c : z);
-    static const int side[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    for (int k = 0; k < 6; k++) {
-        const int f[4] = {v[side[k][0]], v[side[k][1]], v[side[k][2]], v[side[k][3]]};
-        solid_ref_face(r, f, 4);
-    }
-}
 
 /* Draws it from all around; returns how many views say that faces cut through each other. */
 static int judge_around(const char *name, solid_scene_t *s, bool inside) {
@@ -73,17 +58,7 @@ static int judge_around(const char *name, solid_scene_t *s, bool inside) {
 static void two_overlap_cyclically(void **state) {
     (void)state;
     solid_scene_t s = {0};
-    static const double a[][3] = {{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {1, 1, 0},
-                                  {1, 3, 0}, {4, 3, 0}, {4, 4, 0}, {0, 4, 0}};
-    double b[8][3];
-    /* turned round, shifted, and tilted about the middle between the arms */
-    for (int k = 0; k < 8; k++) {
-        b[k][0] = 6.5 - a[k][0];
-        b[k][1] = a[k][1] + 0.3;
-        b[k][2] = (b[k][1] - 2) * 0.4;
-    }
-    polygon(&s.ref, a, 8);
-    polygon(&s.ref, b, 8);
+    hard_brackets(&s.ref);
     assert_int_equal(judge_around("two brackets", &s, false), 0);
 }
 
@@ -105,7 +80,7 @@ static void many_overlap_cyclically(void **state) {
                 q[i][1] = p[far][1] + sign * dx * w;
                 q[i][2] = far;
             }
-            polygon(&s.ref, (const double(*)[3])q, 4);
+            hard_polygon(&s.ref, (const double(*)[3])q, 4);
         }
         char name[32];
         snprintf(name, sizeof name, "%d bars in a circle", n);
@@ -116,25 +91,14 @@ static void many_overlap_cyclically(void **state) {
 static void faces_in_one_plane_hide_nothing(void **state) {
     (void)state;
     solid_scene_t s = {0};
-    static const double a[][3] = {{0, 0, 1}, {3, 0, 2.5}, {3, 3, 4}, {0, 3, 2.5}},
-                        b[][3] = {{1, 1, 2}, {4, 2, 4}, {1, 4, 3.5}}, c[][3] = {{2, -1, 0}, {3, 5, 0}, {-1, 4, 0}};
-    polygon(&s.ref, a, 4);
-    polygon(&s.ref, b, 3);
-    polygon(&s.ref, a, 4);
-    polygon(&s.ref, c, 3);
+    hard_one_plane(&s.ref);
     assert_int_equal(judge_around("one plane", &s, false), 0);
 }
 
 static void slivers_are_seen_and_hide(void **state) {
     (void)state;
     solid_scene_t s = {0};
-    for (int k = 0; k < 24; k++) {
-        double t = 0.26 * k, w = pow(10, -1 - k % 4);
-        const double p[3][3] = {{0.1 * cos(t), 0.1 * sin(t), 0.02 * k},
-                                {2 * cos(t), 2 * sin(t), 1 + 0.02 * k},
-                                {2 * cos(t + w), 2 * sin(t + w), 1.01 + 0.02 * k}};
-        polygon(&s.ref, p, 3);
-    }
+    hard_slivers(&s.ref);
     judge_around("slivers", &s, false);
 }
 
@@ -142,12 +106,7 @@ static void flush_walls_leave_no_cracks(void **state) {
     (void)state;
     for (int inside = 0; inside < 2; inside++) {
         solid_scene_t s = {0};
-        box(&s.ref, 0, 0, 0, 3, 1, 1);
-        box(&s.ref, 1, 0, 1, 1, 1, 1);
-        box(&s.ref, 2, 0, 1, 1.5, 1, 0.5);
-        box(&s.ref, -2, 0.25, 0, 2, 0.75, 2);
-        box(&s.ref, 0, 1, 0, 2.5, 1, 1.5);
-        box(&s.ref, 0, 2.5, 0, 3, 0.5, 3);
+        hard_flush(&s.ref);
         assert_int_equal(judge_around(inside ? "flush walls, among them" : "flush walls", &s, inside), 0);
     }
 }
@@ -155,11 +114,7 @@ static void flush_walls_leave_no_cracks(void **state) {
 static void needles_reach_behind_the_eye(void **state) {
     (void)state;
     solid_scene_t s = {0};
-    for (int k = 0; k < 12; k++) {
-        double t = 0.52 * k, x = 1.1 * cos(t), y = 1.1 * sin(t), z = 0.3 * (k % 3) - 0.3;
-        const double p[3][3] = {{3 * x, 3 * y, z}, {-2 * x, y, z + 0.001}, {-2 * x, y + 0.01, z + 0.02}};
-        polygon(&s.ref, p, 3);
-    }
+    hard_needles(&s.ref);
     judge_around("needles", &s, true);
 }
 
@@ -168,8 +123,8 @@ static void cuts_are_reported(void **state) {
     solid_scene_t s = {0};
     static const double a[][3] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}},
                         b[][3] = {{1, 2, -1}, {3, 2, -1}, {3, 2.5, 1}, {1, 2.5, 1}};
-    polygon(&s.ref, a, 4);
-    polygon(&s.ref, b, 4);
+    hard_polygon(&s.ref, a, 4);
+    hard_polygon(&s.ref, b, 4);
     assert_true(judge_around("a cut", &s, false) > 150);
 }
 
@@ -200,9 +155,9 @@ static void holed(solid_ref_t *r, const outline_t *contour, int contours, double
 static void surroundings(solid_ref_t *r) {
     static const double back[][3] = {{-1, 1, -2.05}, {9, 2, -1.55}, {8, 7, -1.6}, {0, 6, -2}},
                         front[][3] = {{1, -1, 3.9}, {2, -1, 3.9}, {2.5, 9, 4.9}, {1.5, 9, 4.9}};
-    polygon(r, back, 4);
-    polygon(r, front, 4);
-    box(r, 2.4, 2.3, -1, 0.5, 0.5, 4);
+    hard_polygon(r, back, 4);
+    hard_polygon(r, front, 4);
+    hard_box(r, 2.4, 2.3, -1, 0.5, 0.5, 4);
 }
 
 /* A macro: clang takes no constant object in the initializer of another. */
@@ -297,7 +252,7 @@ static void a_hole_along_an_edge_is_a_notch(void **state) {
 static void a_needle_seen_from_its_end_fills_the_page(void **state) {
     (void)state;
     solid_scene_t s = {0};
-    box(&s.ref, 0.78130257267132908, -2.3769730647190506, 0.63550474263457746, 0.0017, 0.0017512, 2.69);
+    hard_needle(&s.ref);
     judge_around("a needle from its end", &s, false);
 }
 
@@ -317,7 +272,7 @@ static void depth_is_divided_where_memory_is_short(void **state) {
                     q[i][1] = x * sin(t) + y * cos(t);
                     q[i][2] = flat ? 0.02 * (k / 2) : 0.01 * k + 0.1 * q[i][0];
                 }
-                polygon(&s.ref, (const double(*)[3])q, 4);
+                hard_polygon(&s.ref, (const double(*)[3])q, 4);
             }
             solid_ref_finish(&s.ref);
             settings_default(&s.set);

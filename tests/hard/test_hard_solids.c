@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "tests/oracle/halo_ref.h"
+#include "tests/oracle/halo_run.h"
 #include "tests/oracle/hard_solids.h"
 #include "tests/oracle/run_cases.h"
 
@@ -55,35 +55,18 @@ static void test_area_sort(void **state) {
     solids(true);
 }
 
-typedef struct taken {
-    halo_ref_piece_t piece[40 * HARD_WIRES_EDGES];
-    int n;
-} taken_t;
-
-static int take(void *ctx, int32_t id, uint32_t from, uint32_t to) {
-    taken_t *t = ctx;
-    t->piece[t->n++] = (halo_ref_piece_t){id, from * 0x1p-30, to * 0x1p-30};
-    return 0;
-}
-
 static void test_haloes(void **state) {
     (void)state;
-    static taken_t t;
     static halo_edge_t edge[HARD_WIRES_EDGES];
-    static uint64_t mem[HALO_BYTES(HARD_WIRES_EDGES, 40 * HARD_WIRES_EDGES) / 8];
+    halo_run_t run = {0};
     int failed = 0, crossings = 0;
+    halo_run_make(&run, HARD_WIRES_EDGES, 40 * HARD_WIRES_EDGES);
     for (int i = 0; i < hard_wires_count(); i++) {
         int32_t width;
-        halo_t h;
         const int n = hard_wires_build(i, edge, &width);
-        int err = 0;
         if (!is_wanted(i)) continue;
-        t.n = 0;
-        halo_init(&h, mem, sizeof mem);
-        for (int k = 0; k < n && !err; k++) err = halo_add(&h, k, edge[k].p, edge[k].q);
-        if (!err) err = halo_cut(&h, 0);
-        if (!err) err = halo_draw(&h, width, &(halo_sink_t){&t, take});
-        const halo_ref_report_t r = halo_ref_judge(edge, n, width, false, 1, t.piece, t.n);
+        const int err = halo_run_draw(&run, edge, n, width);
+        const halo_ref_report_t r = halo_ref_judge(edge, n, width, false, 1, run.piece, run.n);
         crossings += r.crossings;
         if (!err && r.beyond <= 0) continue;
         failed++;
@@ -91,6 +74,7 @@ static void test_haloes(void **state) {
                       "#   repeat: RIDGELINE_CASE=%d build/tests/hard/test_hard_solids\n",
                       hard_wires_name(i), err, r.missing, r.falsely, i);
     }
+    halo_run_free(&run);
     print_message("# hard list of haloes: %d frames, %d crossings\n", hard_wires_count(), crossings);
     assert_int_equal(failed, 0);
 }

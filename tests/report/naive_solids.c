@@ -124,10 +124,8 @@ static void cut(spans_t *gone, const halo_edge_t *e, const halo_edge_t *f, doubl
     spans_add(gone, fmax(0, t - half), fmin(1, t + half));
 }
 
-halo_ref_piece_t *naive_halo(const halo_edge_t *edge, int n, int32_t width, int *pieces) {
-    halo_ref_piece_t *all = malloc(sizeof *all);
+void naive_halo(halo_run_t *out, const halo_edge_t *edge, int n, int32_t width) {
     spans_t whole = {0}, gone = {0}, left = {0};
-    *pieces = 0;
     spans_add(&whole, 0, 1);
     for (int e = 0; e < n; e++) {
         spans_clear(&gone);
@@ -135,13 +133,9 @@ halo_ref_piece_t *naive_halo(const halo_edge_t *edge, int n, int32_t width, int 
             if (f != e) cut(&gone, &edge[e], &edge[f], width);
         spans_tidy(&gone);
         spans_subtract(&whole, &gone, &left);
-        all = realloc(all, ((size_t)*pieces + left.n + 1) * sizeof *all);
-        if (!all) abort();
-        for (size_t k = 0; k < left.n; k++)
-            all[(*pieces)++] = (halo_ref_piece_t){e, (double)left.s[k].a, (double)left.s[k].b};
+        for (size_t k = 0; k < left.n; k++) halo_run_add(out, e, (double)left.s[k].a, (double)left.s[k].b);
     }
     spans_free(&whole);
     spans_free(&gone);
     spans_free(&left);
-    return all;
 }

@@ -6,13 +6,13 @@
 #ifndef NAIVE_SOLIDS_H
 #define NAIVE_SOLIDS_H
 
-#include "tests/oracle/halo_ref.h"
+#include "tests/oracle/halo_run.h"
 #include "tests/oracle/judge.h"
 #include "tests/oracle/solid_ref.h"
 
 /* Pieces of the scene's edges, to be freed. r has its eye. */
 judge_piece_t *naive_solids(const solid_ref_t *r, const page_view_t *v, size_t *n);
-/* Pieces of edges, to be freed. */
-halo_ref_piece_t *naive_halo(const halo_edge_t *edge, int n, int32_t width, int *pieces);
+/* Adds pieces of edges. */
+void naive_halo(halo_run_t *out, const halo_edge_t *edge, int n, int32_t width);
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "tests/oracle/compare_ink.h"
 #include "tests/oracle/hard_list.h"
+#include "tests/report/asked.h"
 #include "tests/report/naive.h"
 #include "tests/report/sheet.h"
 
@@ -79,8 +80,8 @@ static judge_report_t judged(const scene_t *s, const run_drawing_t *d, int every
 typedef struct account {
     sheets_t sheets;
     FILE *md, *tsv;
-    judge_report_t ours, naive, of[CASES_MOST]; /* of each case: ours */
-    double naive_of[CASES_MOST];                /* mm, missing or false */
+    judge_report_t ours, naive;
+    asked_row_t row[CASES_MOST];
     int naive_wrong;
 } account_t;
 
@@ -100,8 +101,12 @@ static void enter(int i, const char *name, const scene_t *s, int every, const sh
     judge_worst(&all->naive, &b);
     all->naive_wrong += b.missing_mm > JUDGE_STEP_MM || b.false_mm > JUDGE_STEP_MM;
     if (i >= CASES_MOST) abort();
-    all->of[i] = a;
-    all->naive_of[i] = fmax(b.missing_mm, b.false_mm);
+    asked_row_t *row = &all->row[i];
+    *row = (asked_row_t){.name = name,
+                         .off = steps(fmax(a.missing_mm, a.false_mm)),
+                         .end = a.end_steps,
+                         .naive = steps(fmax(b.missing_mm, b.false_mm))};
+    snprintf(row->label, sizeof row->label, "%d", i);
     fprintf(all->md, "| %d | %s | %.2f | %.2f | %.2f | %.0f | %.0f |\n", i, s->what, steps(a.missing_mm),
             steps(a.false_mm), a.end_steps, steps(b.missing_mm), steps(b.false_mm));
     fprintf(all->tsv, "%d\t%s\t%.3f\t%.3f\t%.3f\t%.1f\t%.1f\n", i, s->what, steps(a.missing_mm), steps(a.false_mm),
@@ -132,10 +137,8 @@ static void large(int i, bool rough, account_t *all) {
     scene_free(&s);
 }
 
-/* The cases that were asked for, and the rows that are them: all whose names begin so. */
-static const struct {
-    const char *asked, *rows[6];
-} wanted[] = {
+/* The cases that were asked for, and the rows that are them. */
+static const asked_t asked[] = {
     {"viewer in a grid plane", {"in a grid plane", "in the border plane", "in the plane of the middle"}},
     {"viewer over a vertex", {"over a vertex", "over a border vertex", "over a corner", "below, under a vertex"}},
     {"viewer on the line of a grid edge", {"on the line of a grid edge", "over an edge", "over a border edge"}},
@@ -167,37 +170,6 @@ static const struct {
     {"huge and tiny ranges", {"huge range", "tiny range", "a world of 1e"}},
 };
 
-static const char *name_of(int i) {
-    const int listed = hard_list_count();
-    return i < listed ? hard_list_name(i) : "3000x3000";
-}
-
-/* Which rows of the table are each case, and the worst of them. Ends the program if a case has none. */
-static void match(const account_t *all, int count) {
-    fputs("\n## What was asked for, and where it is\n\n"
-          "| case | rows | missing or false | end off | naive: at worst |\n|---|---|--:|--:|--:|\n",
-          all->md);
-    for (size_t w = 0; w < sizeof wanted / sizeof *wanted; w++) {
-        double off = 0, end = 0, naive = 0;
-        int rows = 0;
-        fprintf(all->md, "| %s |", wanted[w].asked);
-        for (int i = 0; i < count; i++)
-            for (int k = 0; k < 6 && wanted[w].rows[k]; k++) {
-                if (strncmp(name_of(i), wanted[w].rows[k], strlen(wanted[w].rows[k])) != 0) continue;
-                fprintf(all->md, "%s %d", rows++ ? "," : "", i);
-                off = fmax(off, fmax(all->of[i].missing_mm, all->of[i].false_mm));
-                end = fmax(end, all->of[i].end_steps);
-                naive = fmax(naive, all->naive_of[i]);
-                break;
-            }
-        fprintf(all->md, " | %.2f | %.2f | %.0f |\n", steps(off), end, steps(naive));
-        if (!rows) {
-            fprintf(stderr, "report_hard: no row is `%s`\n", wanted[w].asked);
-            exit(1);
-        }
-    }
-}
-
 int main(int argc, char **argv) {
     char path[512];
     static account_t all;
@@ -226,7 +198,7 @@ int main(int argc, char **argv) {
             large(i, i > listed, &all);
         }
     }
-    match(&all, count);
+    asked_write(md, asked, (int)(sizeof asked / sizeof *asked), all.row, count);
     fclose(md);
     fclose(tsv);
     printf(

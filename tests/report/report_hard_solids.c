@@ -8,11 +8,12 @@
 #include <string.h>
 
 #include "tests/oracle/hard_solids.h"
-#include "tests/oracle/num_of.h"
 #include "tests/oracle/run_cases.h"
 #include "tests/oracle/solid_ink.h"
+#include "tests/report/asked.h"
 #include "tests/report/create.h"
 #include "tests/report/naive_solids.h"
+#include "tests/report/needles.h"
 #include "tests/report/sheet.h"
 #include "view/page.h"
 
@@ -26,6 +27,9 @@ typedef struct account {
     double naive;        /* mm */
     int cases, naive_wrong;
 } account_t;
+
+static asked_row_t row[3 * CASES_MOST];
+static int rows;
 
 static double steps(double mm) {
     return mm / JUDGE_STEP_MM;
@@ -56,9 +60,14 @@ static judge_report_t judged(const solid_ref_t *r, const page_view_t *v, const j
     return out;
 }
 
-static void enter(account_t *all, const char *kernel, int i, const char *what, const judge_report_t *a,
-                  const judge_report_t *b, const char *note) {
+/* Row i of a kernel: `name` of the list, `what` with its figures. */
+static void enter(account_t *all, const char *kernel, int i, const char *name, const char *what,
+                  const judge_report_t *a, const judge_report_t *b, const char *note) {
     const double naive = fmax(b->missing_mm, b->false_mm);
+    asked_row_t *r = &row[rows++];
+    *r = (asked_row_t){
+        .name = name, .off = steps(fmax(a->missing_mm, a->false_mm)), .end = a->end_steps, .naive = steps(naive)};
+    snprintf(r->label, sizeof r->label, "%s %d", kernel, i);
     fprintf(all->md, "| %s %d | %s | %.2f | %.2f | %.2f | %.0f | %.0f | %s |\n", kernel, i, what, steps(a->missing_mm),
             steps(a->false_mm), a->end_steps, steps(b->missing_mm), steps(b->false_mm), note);
     fprintf(all->tsv, "%s\t%d\t%s\t%.3f\t%.3f\t%.3f\t%.1f\t%.1f\n", kernel, i, what, steps(a->missing_mm),
@@ -112,7 +121,7 @@ static void solid_case(account_t *all, sheets_t *sheets, int i, bool area) {
     naive_judged[i] = b;
     if (area && t.sorted.intersections)
         snprintf(note, sizeof note, "%lld cuts told", (long long)t.sorted.intersections);
-    enter(all, area ? "area" : "convex", i, s.what, &a, &b, note);
+    enter(all, area ? "area" : "convex", i, hard_solids_name(i), s.what, &a, &b, note);
     naive_caption(text, &b);
     sheets_enter(sheets, hard_solids_name(i), text, &shown[0], &shown[1], NULL);
     for (int k = 0; k < 2; k++) strokes_free(&shown[k]);
@@ -122,20 +131,7 @@ static void solid_case(account_t *all, sheets_t *sheets, int i, bool area) {
     solid_scene_free(&s);
 }
 
-typedef struct taken {
-    halo_ref_piece_t *piece;
-    int n;
-} taken_t;
-
-static int take(void *ctx, int32_t id, uint32_t from, uint32_t to) {
-    taken_t *t = ctx;
-    t->piece = realloc(t->piece, ((size_t)t->n + 1) * sizeof *t->piece);
-    if (!t->piece) abort();
-    t->piece[t->n++] = (halo_ref_piece_t){id, from * 0x1p-30, to * 0x1p-30};
-    return 0;
-}
-
-static strokes_t wires_of(const halo_edge_t *edge, const taken_t *t) {
+static strokes_t wires_of(const halo_edge_t *edge, const halo_run_t *t) {
     strokes_t all = {0};
     for (int k = 0; k < t->n; k++) {
         const halo_edge_t *e = &edge[t->piece[k].edge];
@@ -146,7 +142,7 @@ static strokes_t wires_of(const halo_edge_t *edge, const taken_t *t) {
     return all;
 }
 
-static judge_report_t wires_judged(const halo_edge_t *edge, int n, int32_t width, const taken_t *t, double *beyond) {
+static judge_report_t wires_judged(const halo_edge_t *edge, int n, int32_t width, const halo_run_t *t, double *beyond) {
     const halo_ref_report_t r = halo_ref_judge(edge, n, width, false, 1, t->piece, t->n);
     *beyond = r.beyond;
     return (judge_report_t){.missing_mm = r.missing / LAT_PER_MM, .false_mm = r.falsely / LAT_PER_MM};
@@ -156,82 +152,52 @@ static void wire_case(account_t *all, sheets_t *sheets, int i) {
     halo_edge_t edge[HARD_WIRES_EDGES];
     int32_t width;
     const int n = hard_wires_build(i, edge, &width);
-    const size_t bytes = HALO_BYTES(n, 40 * n);
-    void *mem = malloc(bytes);
-    halo_t h;
-    taken_t ours = {0}, naive = {0};
+    halo_run_t ours = {0}, naive = {0};
     double beyond[2];
     char text[64], what[96];
-    int err = 0;
-    if (!mem) abort();
-    halo_init(&h, mem, bytes);
-    for (int k = 0; k < n && !err; k++) err = halo_add(&h, k, edge[k].p, edge[k].q);
-    if (!err) err = halo_cut(&h, 0);
-    if (!err) err = halo_draw(&h, width, &(halo_sink_t){&ours, take});
+    halo_run_make(&ours, n, 40 * (size_t)n);
+    const int err = halo_run_draw(&ours, edge, n, width);
     if (err) fprintf(stderr, "report_hard_solids: %s: error %d\n", hard_wires_name(i), err), exit(1);
-    naive.piece = naive_halo(edge, n, width, &naive.n);
+    naive_halo(&naive, edge, n, width);
     judge_report_t a = wires_judged(edge, n, width, &ours, &beyond[0]),
                    b = wires_judged(edge, n, width, &naive, &beyond[1]);
     snprintf(what, sizeof what, "%s (%d edges, halo %.3g mm)", hard_wires_name(i), n, (double)width / LAT_PER_MM);
-    enter(all, "halo", i, what, &a, &b, beyond[0] > 0 ? "beyond its bound" : "");
+    enter(all, "halo", i, hard_wires_name(i), what, &a, &b, beyond[0] > 0 ? "beyond its bound" : "");
     strokes_t shown[2] = {wires_of(edge, &ours), wires_of(edge, &naive)};
     naive_caption(text, &b);
     sheets_enter(sheets, hard_wires_name(i), text, &shown[0], &shown[1], NULL);
     for (int k = 0; k < 2; k++) strokes_free(&shown[k]);
-    free(ours.piece);
-    free(naive.piece);
-    free(mem);
+    halo_run_free(&ours);
+    halo_run_free(&naive);
 }
 
-/* The area sort's limit: a needle that begins behind a plate and comes out through it, its edge shared with a wall. */
-static void needle(solid_scene_t *s, double k) {
-    static const double v[][3] = {{-2.0145, -2.3882, .6855}, {-1.7544, -3.1343, 3.1984}, {-1.7544, -3.1343, 3.1984},
-                                  {-1.9727, -.8808, 1.8303}, {-2.0581, -2.5028, .7347},  {-.5395, -2.5028, .802},
-                                  {-.5395, -.9842, .7058},   {3.4701, -.1477, .8432},    {-.0528, -.1479, .8432},
-                                  {-2.878, -.1474, .8432}};
-    static const int face[][3] = {{0, 1, 2}, {1, 0, 3}, {4, 5, 6}, {7, 8, 9}};
-    static const double eye[] = {3.85373, -2.93983, 2.48107}, to[] = {-.03932, -.44547, .79605};
-    *s = (solid_scene_t){0};
-    settings_default(&s->set);
-    for (int i = 0; i < 10; i++)
-        solid_ref_vertex(&s->ref, v[i][0] - (i == 2 ? .0006 * k : 0), v[i][1], v[i][2] + (i == 2 ? .0001 * k : 0));
-    for (int f = 0; f < 4; f++) solid_ref_face(&s->ref, face[f], 3);
-    solid_ref_finish(&s->ref);
-    s->set.view.from = s->set.view.has_to = true;
-    for (int i = 0; i < 3; i++) s->set.view.eye[i] = num_of(eye[i]), s->set.view.to[i] = num_of(to[i]);
-}
-
-static void needles(const char *dir) {
-    FILE *out = report_create(dir, "needles.tsv");
-    fputs("width_steps\tconvex_wrong_steps\tarea_wrong_steps\n", out);
-    puts("\nWhere the area sort ends: a needle that shares an edge with a wall and comes out through a plate, thinner "
-         "and thinner. Width on the page where it is widest; the longest wrong run. A unit of its lattice is 1/12,800 "
-         "of a step: where what overlaps is narrower than one, nothing of it is left to hide an edge.\n\n"
-         "| width (steps) | convex: wrong | area: wrong |\n|--:|--:|--:|");
-    for (double k = 300; k > .02; k /= sqrt(10)) {
-        solid_scene_t s;
-        solid_stage_t t;
-        judge_report_t r[2];
-        area_stats_t area;
-        page_view_t view;
-        exact_eye_t eye;
-        double x[2], y[2];
-        needle(&s, k);
-        solid_scene_judge(&s, &r[0]);
-        solid_scene_judge_area(&s, &r[1], &area);
-        if (solid_stage_make(&t, &s, false)) exit(1);
-        solid_view_of(&t.cam, &view, &eye);
-        for (int i = 0; i < 2; i++) page_view_point(&view, s.ref.vertex[1 + i], &x[i], &y[i]);
-        const double width = steps(hypot(x[1] - x[0], y[1] - y[0]));
-        double wrong[2];
-        for (int i = 0; i < 2; i++) wrong[i] = steps(fmax(r[i].missing_mm, r[i].false_mm));
-        printf("| %.2g | %.2f | %.2f |\n", width, wrong[0], wrong[1]);
-        fprintf(out, "%.3g\t%.3f\t%.3f\n", width, wrong[0], wrong[1]);
-        solid_stage_free(&t);
-        solid_scene_free(&s);
-    }
-    fclose(out);
-}
+/* What was asked for of surfaces, where solids and lines have it, and what is their own. */
+static const asked_t asked[] = {
+    {"viewer in the plane of faces", {"viewer in planes of faces"}},
+    {"viewer over a vertex", {"viewer over a vertex"}},
+    {"viewer on the line of an edge", {"viewer on the line of an edge"}},
+    {"viewer over the middle", {"viewer over the middle"}},
+    {"viewer below", {"viewer below"}},
+    {"viewer level with the tops, and grazing them", {"viewer level with", "viewer grazing"}},
+    {"viewer 1e6 away", {"viewer 1e6 away"}},
+    {"viewer 1e-3 from a face", {"viewer 1e-3 from a face"}},
+    {"viewer inside, with things behind the eye", {"viewer inside", "viewer among", "everything behind"}},
+    {"seen exactly edge-on or end-on", {"faces exactly edge-on", "edges seen end-on", "a needle from its end"}},
+    {"twisted quads", {"twisted quads"}},
+    {"near-parallel edges", {"near-parallel edges"}},
+    {"exactly coincident edges", {"exactly coincident edges", "faces that touch", "faces in one plane"}},
+    {"crossings at vertices", {"crossings at vertices", "crossings at ends", "edges that meet", "24 lines"}},
+    {"slivers below a step", {"slivers below a step", "plates thinner", "edges below a step"}},
+    {"sizes from 1 to 1e6", {"1e6 and 1 in one scene"}},
+    {"depths differing by 1e-9, or by a unit", {"planes 1e-9 apart", "in contact"}},
+    {"tiny ranges", {"a world of 1e-6"}},
+    {"many", {"14x14 cubes", "random edges"}},
+    {"holes, concave and open shapes", {"concave", "open"}},
+    {"cyclic overlap", {"two that overlap", "nine that overlap", "three that overlap", "order turns"}},
+    {"bodies that penetrate", {"bodies that penetrate"}},
+    {"degenerate: no area, there twice; lines alone", {"broken", "segments alone"}},
+    {"haloes wider than edges", {"haloes wider"}},
+};
 
 int main(int argc, char **argv) {
     static const char *const kernel[] = {"convex", "area", "halo"};
@@ -276,7 +242,8 @@ int main(int argc, char **argv) {
         "right to 1 lat (1/%.0f of a step) and 2^-36 of the edge for each lat of its width; edges that would change "
         "their order if an end moved by one unit are in contact and do not cut each other.\n",
         SOLID_FLAT, LAT_PER_MM * JUDGE_STEP_MM);
-    needles(argv[1]);
+    needles_write(argv[1]);
+    asked_write(md, asked, (int)(sizeof asked / sizeof *asked), row, rows);
     puts("\n![a sheet](hard-area-1.png)");
     fclose(md);
     fclose(tsv);

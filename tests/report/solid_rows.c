@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "tests/bench/stars.h"
-#include "tests/oracle/halo_ref.h"
+#include "tests/oracle/halo_run.h"
 #include "tests/oracle/halo_scenes.h"
 #include "tests/oracle/slab_area.h"
 #include "tests/oracle/solid_scenes.h"
@@ -130,38 +130,21 @@ void solid_rows_bits(void) {
 typedef struct wires {
     const halo_edge_t *edge;
     int32_t n, width;
-    void *mem;
-    size_t bytes;
-    halo_t h;
-    halo_ref_piece_t *piece;
-    int pieces;
+    halo_run_t run;
 } wires_t;
-
-static int take_piece(void *ctx, int32_t id, uint32_t from, uint32_t to) {
-    wires_t *w = ctx;
-    w->piece[w->pieces++] = (halo_ref_piece_t){id, from * 0x1p-30, to * 0x1p-30};
-    return 0;
-}
 
 static int draw_wires(void *ctx) {
     wires_t *w = ctx;
-    int err = 0;
-    w->pieces = 0;
-    halo_init(&w->h, w->mem, w->bytes);
-    for (int32_t i = 0; i < w->n && !err; i++) err = halo_add(&w->h, i, w->edge[i].p, w->edge[i].q);
-    if (!err) err = halo_cut(&w->h, 0);
-    return err ? err : halo_draw(&w->h, w->width, &(halo_sink_t){w, take_piece});
+    return halo_run_draw(&w->run, w->edge, w->n, w->width);
 }
 
 /* On a lattice whose unit is so many lat. */
 static void wires(const char *family, int size, halo_edge_t *edge, int32_t n, int32_t width, double unit) {
     row_t *w = add_row("halo", family, size, LAT_PER_STEP / unit);
     halo_edge_t *coarse = malloc((size_t)n * sizeof *coarse);
-    wires_t x = {
-        .edge = coarse, .n = n, .width = (int32_t)lround(width / unit), .bytes = HALO_BYTES(n, 12 * (size_t)n + 4096)};
-    x.mem = malloc(x.bytes);
-    x.piece = malloc((13 * (size_t)n + 4096) * sizeof *x.piece);
-    if (!coarse || !x.mem || !x.piece) abort();
+    wires_t x = {.edge = coarse, .n = n, .width = (int32_t)lround(width / unit)};
+    if (!coarse) abort();
+    halo_run_make(&x.run, n, 12 * (size_t)n + 4096);
     for (int32_t i = 0; i < n; i++) {
         halo_point_t *p[2] = {&coarse[i].p, &coarse[i].q};
         coarse[i] = edge[i];
@@ -173,18 +156,17 @@ static void wires(const char *family, int size, halo_edge_t *edge, int32_t n, in
     w->seconds = least(draw_wires, &x, .2);
     w->missing = w->falsely = NAN;
     if (n <= 600) {
-        const halo_ref_report_t r = halo_ref_judge(edge, n, width, false, 1, x.piece, x.pieces);
+        const halo_ref_report_t r = halo_ref_judge(edge, n, width, false, 1, x.run.piece, x.run.n);
         w->missing = r.missing / LAT_PER_STEP;
         w->falsely = r.falsely / LAT_PER_STEP;
         w->wrong = unit <= 1 && r.beyond > 0;
     }
     w->scenes = 1;
     w->elements = n;
-    memcpy(w->work, (int64_t[4]){x.h.tests, x.h.crossings, x.pieces, 0}, sizeof w->work);
-    w->bytes = x.h.used;
+    memcpy(w->work, (int64_t[4]){x.run.h.tests, x.run.h.crossings, x.run.n, 0}, sizeof w->work);
+    w->bytes = x.run.h.used;
     free(coarse);
-    free(x.mem);
-    free(x.piece);
+    halo_run_free(&x.run);
 }
 
 static void all_wires(void) {
