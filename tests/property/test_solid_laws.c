@@ -1,7 +1,8 @@
 /* The laws of solid_laws.h for both kernels of solids: a changed scene is drawn, and the ink of its edges held against
- * that of the first. Where the two differ by more than a step, rays decide: lines that fall together may be drawn or
- * not, and then both are right. RIDGELINE_CASES multiplies the count; RIDGELINE_SEED tries one, and says by itself
- * which law and which kernel. */
+ * that of the first. And one kernel against the other: the scene by the convex one, the changed one by the area sort.
+ * Where the two differ by more than a step, rays decide: lines that fall together may be drawn or not, and then both
+ * are right. RIDGELINE_CASES multiplies the count; RIDGELINE_SEED tries one, and says by itself which law and which
+ * kernel. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -21,9 +22,12 @@
 #define SEEDS 100000000
 #define CASES 1500
 
+enum kernel { CONVEX, AREA, AREA_AFTER_CONVEX, KERNELS };
+static const char *const kernel_name[] = {"convex", "area sort", "area sort against convex"};
+
 typedef struct law_case {
     enum solid_law law;
-    bool area;
+    enum kernel kernel;
     uint64_t seed;
 } law_case_t;
 
@@ -133,20 +137,23 @@ static outcome_t try_law(const law_case_t *c, const solid_scene_t *s) {
     solid_drawing_t a, b;
     int *back;
     solid_law_apply(c->law, c->seed, s, &t, &back);
-    draw(s, c->area, &a);
-    draw(&t, c->area, &b);
+    const bool area[2] = {c->kernel == AREA, c->kernel != CONVEX};
+    draw(s, area[0], &a);
+    draw(&t, area[1], &b);
     o.err = a.err ? a.err : b.err;
     /* As in test_area_random: lines in which bodies on a lattice cut are edges as well; an eye in a face. */
-    o.left_out = c->area && (solid_ref_eye_touches(&a.ref) || solid_ref_eye_touches(&b.ref) ||
+    o.left_out = area[1] && (solid_ref_eye_touches(&a.ref) || solid_ref_eye_touches(&b.ref) ||
                              (s->lattice && (a.stage.sorted.intersections || b.stage.sorted.intersections)));
     if (!o.err && !o.left_out) compare(&a, &b, back, c->law == SOLID_LAW_FRONT, &o);
     o.good = !o.err && o.mm <= JUDGE_STEP_MM;
     if (!o.err && !o.good) {
-        area_stats_t area;
-        bool right[2];
-        right[0] = c->area ? solid_scene_judge_area(s, &o.judged[0], &area) : solid_scene_judge(s, &o.judged[0]);
-        right[1] = c->area ? solid_scene_judge_area(&t, &o.judged[1], &area) : solid_scene_judge(&t, &o.judged[1]);
-        o.tie = o.good = right[0] && right[1];
+        area_stats_t stats;
+        o.tie = true;
+        for (int k = 0; k < 2; k++) {
+            const solid_scene_t *one = k ? &t : s;
+            o.tie &= area[k] ? solid_scene_judge_area(one, &o.judged[k], &stats) : solid_scene_judge(one, &o.judged[k]);
+        }
+        o.good = o.tie;
     }
     free(a.ink.piece);
     free(b.ink.piece);
@@ -169,17 +176,17 @@ static void tell(law_case_t *c, solid_scene_t *s) {
         print_message(
             "# %s law `%s`, %s, %s: error %d; %g mm differ on edge %d, %.6f to %.6f; by rays %g and %g mm are "
             "missing, %g and %g false, ends off by %.2f and %.2f steps, %g and %g mm twice\n",
-            shrunk ? "shrunk" : "FAILED", solid_law_name(c->law), c->area ? "area sort" : "convex", s->what, o.err,
-            o.mm, o.edge, o.from, o.to, o.judged[0].missing_mm, o.judged[1].missing_mm, o.judged[0].false_mm,
-            o.judged[1].false_mm, o.judged[0].end_steps, o.judged[1].end_steps, o.judged[0].twice_mm,
-            o.judged[1].twice_mm);
+            shrunk ? "shrunk" : "FAILED", solid_law_name(c->law), kernel_name[c->kernel], s->what, o.err, o.mm, o.edge,
+            o.from, o.to, o.judged[0].missing_mm, o.judged[1].missing_mm, o.judged[0].false_mm, o.judged[1].false_mm,
+            o.judged[0].end_steps, o.judged[1].end_steps, o.judged[0].twice_mm, o.judged[1].twice_mm);
     }
     print_message("#   repeat: RIDGELINE_SEED=%llu build/tests/property/" NAME "\n", (unsigned long long)c->seed);
 }
 
-static int run_law(enum solid_law law, bool area) {
-    const uint64_t first = FIRST + (2 * (uint64_t)law + area) * SEEDS;
-    uint64_t count = cases_scaled(CASES), from = cases_first(first, count);
+static int run_law(enum solid_law law, enum kernel kernel) {
+    const bool both = kernel == AREA_AFTER_CONVEX;
+    const uint64_t first = FIRST + (both ? 2 * SOLID_LAWS + law : 2 * law + kernel) * (uint64_t)SEEDS;
+    uint64_t count = cases_scaled(both ? CASES / 3 : CASES), from = cases_first(first, count);
     long long drawn = 0, ties = 0, left_out = 0, faces = 0;
     double worst = 0, ink_mm = 0;
     int failed = 0;
@@ -188,7 +195,7 @@ static int run_law(enum solid_law law, bool area) {
         count = 1;
     }
     for (uint64_t seed = from; seed < from + count && failed < 3; seed++) {
-        law_case_t c = {law, area, seed};
+        law_case_t c = {law, kernel, seed};
         solid_scene_t s;
         solid_scene_random(&s, seed, 5);
         const outcome_t o = try_law(&c, &s);
@@ -207,49 +214,54 @@ static int run_law(enum solid_law law, bool area) {
     print_message("# law `%s`, %s: %lld scenes, %lld faces, %.0f m of ink, %lld left out, %lld with other choices "
                   "among lines that fall "
                   "together; largest difference of the rest %.2f steps\n",
-                  solid_law_name(law), area ? "area sort" : "convex", drawn, faces, ink_mm / 1000, left_out, ties,
+                  solid_law_name(law), kernel_name[kernel], drawn, faces, ink_mm / 1000, left_out, ties,
                   worst / JUDGE_STEP_MM);
     return failed;
 }
 
-static void test_convex(void **state) {
+static void run_laws(enum kernel kernel) {
     int failed = 0;
-    (void)state;
-    for (enum solid_law law = 0; law < SOLID_LAWS; law++) failed += run_law(law, false);
+    for (enum solid_law law = 0; law < SOLID_LAWS; law++) failed += run_law(law, kernel);
     assert_int_equal(failed, 0);
 }
-static void test_area_sort(void **state) {
-    int failed = 0;
+static void test_convex(void **state) {
     (void)state;
-    for (enum solid_law law = 0; law < SOLID_LAWS; law++) failed += run_law(law, true);
-    assert_int_equal(failed, 0);
+    run_laws(CONVEX);
+}
+static void test_area_sort(void **state) {
+    (void)state;
+    run_laws(AREA);
+}
+static void test_one_against_the_other(void **state) {
+    (void)state;
+    run_laws(AREA_AFTER_CONVEX);
 }
 
 static void test_found(void **state) {
     static const law_case_t found[] = {
         /* an edge from behind the eye, which was not held against what the window's grid had of it */
-        {SOLID_LAW_REFINE, false, 16000183015},
+        {SOLID_LAW_REFINE, CONVEX, 16000183015},
         /* an eye in the plane of a face that it is next to: on the page that was a needle, which hid nothing */
-        {SOLID_LAW_MIRROR, true, 15300259818},
+        {SOLID_LAW_MIRROR, AREA, 15300259818},
         /* a needle's tip behind a plate, no wider than a weld, which put it beside the wall that it hides */
-        {SOLID_LAW_REFINE, true, 16100182369},
+        {SOLID_LAW_REFINE, AREA, 16100182369},
         /* a sliver of five units that a weld closed: nothing hid it */
-        {SOLID_LAW_FRONT, true, 16704678465},
+        {SOLID_LAW_FRONT, AREA, 16704678465},
         /* faces that come close to the eye, cut through far from it: by less than either may be off near the eye */
-        {SOLID_LAW_REFINE, true, 16104670831},
-        {SOLID_LAW_BEHIND, true, 16504675116},
+        {SOLID_LAW_REFINE, AREA, 16104670831},
+        {SOLID_LAW_BEHIND, AREA, 16504675116},
         /* faces seen nearly edge-on that are cut through: rounding moved the ends of their edges by steps */
-        {SOLID_LAW_REFINE, true, 16100093489},
-        {SOLID_LAW_BEHIND, true, 16500090185},
-        {SOLID_LAW_BEHIND, true, 16500106253},
-        {SOLID_LAW_BEHIND, true, 16504671108},
+        {SOLID_LAW_REFINE, AREA, 16100093489},
+        {SOLID_LAW_BEHIND, AREA, 16500090185},
+        {SOLID_LAW_BEHIND, AREA, 16500106253},
+        {SOLID_LAW_BEHIND, AREA, 16504671108},
         /* needles, whose points welds closed */
-        {SOLID_LAW_REFINE, true, 16104666287},
-        {SOLID_LAW_REFINE, true, 16100117613},
+        {SOLID_LAW_REFINE, AREA, 16104666287},
+        {SOLID_LAW_REFINE, AREA, 16100117613},
         /* one that is cut by less than what its depth may be off */
-        {SOLID_LAW_REFINE, true, 16100006440},
-        {SOLID_LAW_BEHIND, true, 16521019997},
-        {SOLID_LAW_FRONT, true, 16721024047},
+        {SOLID_LAW_REFINE, AREA, 16100006440},
+        {SOLID_LAW_BEHIND, AREA, 16521019997},
+        {SOLID_LAW_FRONT, AREA, 16721024047},
     };
     (void)state;
     for (size_t k = 0; k < sizeof found / sizeof *found; k++) {
@@ -265,6 +277,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_convex),
         cmocka_unit_test(test_area_sort),
+        cmocka_unit_test(test_one_against_the_other),
         cmocka_unit_test(test_found),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
