@@ -82,10 +82,31 @@ static int fan_from(const solid_ref_t *r, const int *c, int n) {
     return -1;
 }
 
+static bool has_corner(const solid_ref_t *r, int face, int v) {
+    for (int k = r->first[face]; k < r->first[face + 1]; k++)
+        if (r->corner[k] == v) return true;
+    return false;
+}
+
+/* The same of a face; of the other side of one that came before, the same corner: diagonals of a body without thickness
+ * are then on both of its sides. */
+static int fan_of(const solid_ref_t *r, int face) {
+    const int n = r->first[face + 1] - r->first[face], *c = r->corner + r->first[face];
+    for (int other = 0; other < face; other++) {
+        int common = 0;
+        if (r->first[other + 1] - r->first[other] != n) continue;
+        for (int k = 0; k < n; k++) common += has_corner(r, other, c[k]);
+        const int from = common == n ? fan_from(r, r->corner + r->first[other], n) : -1;
+        for (int k = 0; from >= 0 && k < n; k++)
+            if (c[k] == r->corner[r->first[other] + from]) return k;
+    }
+    return fan_from(r, c, n);
+}
+
 static void put_face(enum solid_law law, const solid_ref_t *r, int face, const int *to, solid_ref_t *out,
                      uint64_t *rng) {
     const int n = r->first[face + 1] - r->first[face], *c = r->corner + r->first[face];
-    int w[64], from = law == SOLID_LAW_REFINE && n > 3 ? fan_from(r, c, n) : -1;
+    int w[64], from = law == SOLID_LAW_REFINE && n > 3 ? fan_of(r, face) : -1;
     for (int k = 1; from >= 0 && k + 1 < n; k++)
         solid_ref_face(out, (int[]){to[c[from]], to[c[(from + k) % n]], to[c[(from + k + 1) % n]]}, 3);
     if (from >= 0) return;
