@@ -7,7 +7,7 @@
 
 #define PEN_PIN (FIRST_PIN + 4)
 #define SERVO_TOP (20000u - 1)   /* us: 50 pulses a second */
-#define SOLENOID_TOP (5000u - 1) /* of 125 MHz: 25 kHz, which nobody hears */
+#define SOLENOID_TOP (5320u - 1) /* of 133 MHz: 25 kHz, which nobody hears */
 #define TICK_US 1000u
 #define INVERT_A (1u << 2)
 
@@ -67,7 +67,7 @@ void port_wire(const hal_wiring_t *w) {
     if (p.kind == HAL_PEN_LEVEL) {
         GPIO_CTRL(PEN_PIN) = FUNC_PIO0 | (port.invert & HAL_PEN ? OUT_INVERTED : 0);
     } else {
-        PWM_DIV(PEN_SLICE) = (is_servo ? 125u : 1u) << 4;
+        PWM_DIV(PEN_SLICE) = (is_servo ? 133u : 1u) << 4;
         PWM_TOP(PEN_SLICE) = is_servo ? SERVO_TOP : SOLENOID_TOP;
         PWM_CTR(PEN_SLICE) = 0;
         PWM_CC(PEN_SLICE) = is_servo ? p.now_q16 >> 16 : 0;

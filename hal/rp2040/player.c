@@ -43,7 +43,7 @@ void player_start(void) {
     PIO_INSTR_MEM(0) = OP_OUT_X | (32 - PINS);
     PIO_INSTR_MEM(LOOP) = OP_JMP_X | LOOP;
     PIO_INSTR_MEM(2) = OP_OUT_PINS | PINS;
-    PIO_CLKDIV(0) = 7u << 16 | 208u << 8; /* 7 + 13/16, as the clock */
+    PIO_CLKDIV(0) = 8u << 16 | 80u << 8;  /* 8 + 5/16, as the clock */
     PIO_EXECCTRL(0) = 2u << 12;           /* after the third the first */
     PIO_SHIFTCTRL(0) = JOINED | 1u << 17; /* to the left; takes the next word by itself */
     PIO_PINCTRL(0) = PIO_PINCTRL(1) = PINS << 20 | FIRST_PIN;
