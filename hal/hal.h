@@ -88,6 +88,9 @@ const char *hal_board_name(void);
 int hal_console_read(void);
 /* Queues text to be sent by interrupt; waits while the queue is full, and the machine goes on. Main loop only. */
 void hal_console_write(const char *text, size_t bytes);
+/* Asks the other side to stop sending (XOFF), or to go on (XON), before all that is queued. The port does so by itself
+ * while what it has received fills more than half of its queue. Main loop only. */
+void hal_console_hold(bool hold);
 /* Bytes lost since last asked: overruns of the receiver or of its queue, framing errors. */
 uint32_t hal_console_errors(void);
 

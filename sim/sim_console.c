@@ -30,7 +30,7 @@ static struct {
     uint32_t inputs; /* levels: 1 is active with the board's own wiring */
     uint32_t inverted;
     uint32_t cut;
-    bool dead;
+    bool dead, held;
     uint64_t watchdog, fed, longest; /* ticks; watchdog 0: off */
 } c;
 
@@ -83,6 +83,11 @@ int hal_console_read(void) {
 
 void hal_console_write(const char *text, size_t bytes) {
     if (c.listener) c.listener(c.ctx, text, bytes);
+}
+
+void hal_console_hold(bool hold) {
+    if (hold != c.held) hal_console_write(hold ? "\023" : "\021", 1);
+    c.held = hold;
 }
 
 uint32_t hal_console_errors(void) {

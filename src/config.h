@@ -189,7 +189,11 @@ _Static_assert(CONFIG_PARTS >= 64 && CONFIG_PARTS <= 4096, "lang/parts.h, lang/h
 #define CONFIG_NAME_MAX 1000
 #endif
 
-/* A board's console: bytes typed ahead, a power of two. */
+/* A board's console: bytes that the port has received and the program has not looked at, at most some ms old; bytes
+ * typed ahead. Powers of two. */
+#ifndef CONFIG_RECEIVED
+#define CONFIG_RECEIVED 128
+#endif
 #ifndef CONFIG_TYPED
 #define CONFIG_TYPED 256
 #endif

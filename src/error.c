@@ -13,7 +13,7 @@ static const char *const TEXT[] = {
     [-ERR_DATA] = "malformed data",
     [-ERR_FILE] = "cannot open, read or write the file",
     [-ERR_UNSUPPORTED] = "not supported",
-    [-ERR_MACHINE] = "outside the limits of the machine",
+    [-ERR_MACHINE] = "the machine could not do it",
     [-ERR_STOPPED] = "stopped",
 #if CONFIG_AREA
     [-ERR_LIGHT] = "a point light must stand outside of the scene, and not close to it",

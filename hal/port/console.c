@@ -1,35 +1,62 @@
 /* console.c - the console of all ports: bytes in and out by interrupt, through two queues. */
 #include "hal/port/console.h"
 
+#include "config.h"
 #include "hal/hal.h"
 #include "hal/port/cortex.h"
 #include "hal/port/ring.h"
 #include "port.h"
 
-#define IN_BYTES 128
+#define IN_BYTES CONFIG_RECEIVED
 #define OUT_BYTES 64
+enum { XON = 17, XOFF = 19 };
 
 static struct {
     ring_t in, out;
     volatile uint8_t in_byte[IN_BYTES], out_byte[OUT_BYTES];
     volatile bool sending; /* a byte is on its way: its end will interrupt */
+    bool hold, off;        /* the program wants no more; the other side was told to stop */
+    uint8_t flow;          /* XON or XOFF, to be sent before what is queued; 0: neither */
     volatile uint32_t errors;
 } c;
 
+/* In the interrupt, or with interrupts off. */
+static void send_next(void) {
+    int byte = c.flow ? c.flow : ring_get(&c.out, c.out_byte, OUT_BYTES);
+    c.flow = 0;
+    c.sending = byte >= 0;
+    port_uart_sending(c.sending);
+    if (c.sending) port_uart_send((uint8_t)byte);
+}
+
+/* As send_next. Bytes that are under way already find the other half of the queue. */
+static void flow(void) {
+    bool off = c.hold || c.in.head - c.in.tail > (c.off ? IN_BYTES / 4 : IN_BYTES / 2);
+    if (off == c.off) return;
+    c.off = off;
+    c.flow = off ? XOFF : XON;
+    if (!c.sending) send_next();
+}
+
+static void flow_now(void) {
+    uint32_t state = irq_lock();
+    flow();
+    irq_unlock(state);
+}
+
+void hal_console_hold(bool hold) {
+    c.hold = hold;
+    flow_now();
+}
+
 int hal_console_read(void) {
-    return ring_get(&c.in, c.in_byte, IN_BYTES);
+    int byte = ring_get(&c.in, c.in_byte, IN_BYTES);
+    if (c.off && !c.hold) flow_now();
+    return byte;
 }
 
 bool console_waiting(void) {
     return !ring_empty(&c.in);
-}
-
-/* In the interrupt, or with interrupts off. */
-static void send_next(void) {
-    int byte = ring_get(&c.out, c.out_byte, OUT_BYTES);
-    c.sending = byte >= 0;
-    port_uart_sending(c.sending);
-    if (c.sending) port_uart_send((uint8_t)byte);
 }
 
 void hal_console_write(const char *text, size_t bytes) {
@@ -61,6 +88,7 @@ void console_uart_isr(void) {
         if (!ring_put(&c.in, c.in_byte, IN_BYTES, (uint8_t)got)) c.errors++;
     }
     if (c.sending && port_uart_sent()) send_next();
+    flow();
 }
 
 static void put_polled(const char *text) {

@@ -61,7 +61,7 @@ static void idle(console_t *c) {
 }
 
 /* A second at a time, as the clock wraps around. */
-static int pause_ms(console_t *c, int32_t ms) {
+int console_pause(console_t *c, int32_t ms) {
     while (ms > 0 && !c->realtime.cancelled) {
         int32_t part = ms < 1000 ? ms : 1000;
         uint32_t from = hal_now();
@@ -77,7 +77,7 @@ static int port_pause(void *ctx, const char *prompt, int32_t ms) {
     c->realtime.cancelled = false;
     if (ms >= 0) {
         say("\n");
-        return pause_ms(c, ms);
+        return console_pause(c, ms);
     }
     for (;;) {
         int byte = realtime_read(&c->realtime);

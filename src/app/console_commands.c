@@ -12,6 +12,8 @@
 #include "error.h"
 #include "hal/hal.h"
 
+#define STOPS_MS 20 /* after it was asked to, the other side has: nothing is received while some chips write */
+
 static const char AUTORUN[] = "autorun on\n";
 
 static int refused(const char *why) {
@@ -69,6 +71,7 @@ static store_record_t *borrow(console_t *c, size_t *room, size_t *text) {
 static int keep_text(console_t *c, enum store_kind kind, store_record_t *r, int len, size_t room) {
     if (len < 0) return len;
     realtime_busy(&c->realtime, true);
+    console_pause(c, STOPS_MS);
     int err = store_save(kind, r, (size_t)len, room);
     realtime_busy(&c->realtime, false);
     return err;

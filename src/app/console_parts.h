@@ -26,6 +26,8 @@ int console_load(console_t *c);
 int console_keep_settings(console_t *c);
 /* Those that are kept, if any; tells the port how the machine is wired. */
 void console_load_settings(console_t *c);
+/* console.c: waits, looking at what is typed; 0, or ERR_STOPPED by Ctrl-X. */
+int console_pause(console_t *c, int32_t ms);
 /* console.c: the port is told when the wiring has changed. */
 void console_wire(console_t *c);
 

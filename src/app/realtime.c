@@ -5,9 +5,9 @@
 #include "app/say.h"
 #include "hal/hal.h"
 
-enum { CTRL_X = 24, XON = 17, XOFF = 19 };
+enum { CTRL_X = 24 };
 
-#define HIGH_WATER (CONFIG_TYPED * 3 / 4)
+#define HIGH_WATER (CONFIG_TYPED / 2)
 #define LOW_WATER (CONFIG_TYPED / 4)
 #define SHORT_WAY_US 100000 /* with the pen up, from a stroke to the next */
 
@@ -23,8 +23,7 @@ static void flow(realtime_t *r) {
     bool off = r->busy || waiting(r) > (r->off ? LOW_WATER : HIGH_WATER);
     if (off == r->off) return;
     r->off = off;
-    const char c = off ? XOFF : XON;
-    hal_console_write(&c, 1);
+    hal_console_hold(off);
 }
 
 void realtime_busy(realtime_t *r, bool busy) {

@@ -9,7 +9,7 @@
  * rows of data are expected. Ctrl-X always counts. All other bytes wait in a ring of CONFIG_TYPED bytes until they are
  * read.
  *
- * Flow control: XOFF is sent when the ring is three quarters full or something long begins, XON when there is room
+ * Flow control: XOFF is sent when the ring is half full or something long begins, XON when there is room
  * again. What comes all the same and finds no place, or was lost by the port, leaves LINE_EDIT_LOST in the stream.
  *
  * Context: main loop. */

@@ -14,7 +14,7 @@ $(EMUDIR)/sim-$1: $(patsubst %.c,$(EMUDIR)/obj-$1/%.o,firmware/main.c tests/emu/
 	$$(Q)$(CC) $(EMU_ABI) $$^ -o $$@
 endef
 $(foreach b,$(BOARDS),$(eval $(call sim_board,$b)))
-$(EMUDIR)/scope.so: tests/emu/scope.c tests/emu/scope_flash.c $(wildcard tests/emu/*.h)
+$(EMUDIR)/scope.so: $(wildcard tests/emu/scope*.c) $(wildcard tests/emu/*.h)
 	@mkdir -p $(@D)
 	$(Q)$(CC) -shared -fPIC -O2 -Wall -Wextra -o $@ $(filter %.c,$^)
 $(EMUDIR)/count.so: tests/emu/count.c
@@ -27,12 +27,18 @@ $(EMUDIR)/node_modules/.ready: tests/emu/package.json tests/emu/package-lock.jso
 	$(Q)cd $(EMUDIR) && npm ci --silent --no-audit --no-fund >npm.log 2>&1 || { cat npm.log; exit 1; }
 	$(Q)touch $@
 
-.PHONY: try-pico
+.PHONY: try-pico try-m3 try-microbit
 try-pico: ## the Pico's console in this terminal, on an emulated board: no hardware needed
-	$(Q)sh .ci/deps.sh firmware emu
-	+$(Q)$(again) -s $(EMUDIR)/node_modules/.ready $(FWDIR)/rp2040.bin >&2
-	$(Q)mkdir -p $(BUILDDIR)/try
-	$(Q)EMU_MODULES=$(EMUDIR) node tests/emu/try.mjs $(FWDIR)/rp2040.bin $(BUILDDIR)/try/pico.svg $(BUILDDIR)/try/pico.flash
+	$(call try,rp2040,pico,$(FWDIR)/rp2040.bin $(EMUDIR)/node_modules/.ready)
+try-m3: ## the same with the Cortex-M3
+	$(call try,lm3s6965,m3,$(FWDIR)/lm3s6965.elf $(EMUDIR)/scope.so)
+try-microbit: ## the same with the micro:bit
+	$(call try,nrf51,microbit,$(FWDIR)/nrf51.elf $(EMUDIR)/scope.so)
+define try
+$(Q)sh .ci/deps.sh firmware emu
++$(Q)$(again) -s $3 >&2
+$(Q)sh tests/emu/try.sh $1 $(BUILDDIR) $2
+endef
 
 include tests/emu/bare/bare.mk
 BOARD_TESTS := $(wildcard tests/emu/test_*.sh)

@@ -15,45 +15,14 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT INT TERM
 failed=0
 turned= pen= probe=
+. tests/emu/qemu.sh
 
-# What QEMU 7.2 says of every program on these boards, and nothing else, is let pass: it looks for a vector table before one
-# is loaded; a timer of its own has no clock yet; with -d unimp, of the nRF51's clock and watchdog.
-quiet() {
-    grep -v -e "Invalid read at addr 0x[04], size 4, region '(null)', reason: rejected" \
-        -e '^clock_\(read\|write\): 0x' -e '^nrf51_soc.io: unimplemented device write (size 4, offset 0x00010' \
-        -e '^Timer with period zero, disabling' "$@"
-}
-
-low() { # pin
-    case " $turned " in *" $1 "*) echo :low ;; esac
-}
-
-run_lm3s6965() { # stim, drawings
-    gpio=/machine/unattached/device
-    wires= i=0
-    for n in x_step x_dir y_step y_dir pen enable; do wires=$wires,pin=$n:${gpio}[9]@$i$(low $n) i=$((i + 1)); done
-    i=0
-    for n in limit_x limit_y button estop; do wires=$wires,input=$n:${gpio}[12]@$i:low i=$((i + 1)); done
-    # 16 ns an instruction: 62 million a second on a 50 MHz chip. No sleeping: see hal_idle of the port.
-    run_qemu lm3s6965evb 4 "$1" "$2" "$wires,stellaris=1" 0x3e000
-}
-
-run_nrf51() { # stim, drawings
-    gpio=/machine/nrf51
-    wires=
-    for n in x_step@3 x_dir@2 y_step@1 y_dir@18 pen@20 enable@16; do wires=$wires,pin=${n%@*}:$gpio@${n#*@}$(low ${n%@*}); done
-    for n in limit_x@23 limit_y@22 button@17 estop@21; do wires=$wires,input=${n%@*}:$gpio@${n#*@}:low; done
-    run_qemu microbit 6 "$1" "$2" "$wires" 0x3e000
-}
-
-run_qemu() { # machine, 2^n ns an instruction, stim, drawings, wires, where the 8 KB are that are kept
-    [ -e "$work/keep/emu" ] || head -c 8192 /dev/zero | LC_ALL=C tr '\0' '\377' >"$work/keep/emu" # erased
-    # shellcheck disable=SC2086
-    timeout ${emu_s:-300} qemu-system-arm -M "$1" -display none -monitor none -serial "file:$work/emu.txt" \
-        -icount "shift=$2,align=off,sleep=off" -d guest_errors -D "$work/emu.log" -device "loader,file=$work/keep/emu,addr=$6,force-raw=on" \
-        -plugin "$build/emu/scope.so,vcd=$work/emu.vcd,stim=$3,drawings=$4$5,store=$work/keep/emu,flash=$6+0x2000" -kernel "$build/firmware/$board.elf" ${qemu_more-} \
-        >"$work/emu.said" 2>&1 || return 1
-    cat "$work/emu.said" "$work/emu.log" 2>/dev/null | quiet >"$work/emu.err"
+run_lm3s6965() { run_qemu "$@"; }
+run_nrf51() { run_qemu "$@"; }
+run_qemu() { # stim, drawings
+    serial=file:$work/emu.txt more="-D $work/emu.log ${qemu_more-}" run_by="timeout ${emu_s:-300}"
+    qemu $board "$build" "$work/keep/emu" "vcd=$work/emu.vcd,stim=$1,drawings=$2" >"$work/emu.said" 2>&1 || return 1
+    cat "$work/emu.said" "$work/emu.log" 2>/dev/null | grep -vE "$QEMU_SAYS" >"$work/emu.err"
     [ ! -s "$work/emu.err" ]
 }
 

@@ -15,14 +15,14 @@ says '^autorun'
 
 # The power fails while a scene is saved: when, is looked for by halves between a save that has not begun and one that is
 # done. Every time what is kept, read by the simulator, is the scene before or the new one; in some of them it was half written.
-power_cuts() { # most us that a save takes, halvings
+power_cuts() { # us after which a save begins to write, at the latest is done, halvings
     name=cut scenes=tests/emu/scenes
     rm -rf "$work/keep"
     mkdir -p "$work/keep"
     "run_$board" $scenes/cut_begin.stim 99 || bad 'cut: emulator'
     cp "$work/keep/emu" "$work/first"
-    lo=0 hi=$1 torn=0
-    for i in $(seq "$2"); do
+    lo=$1 hi=$2 torn=0
+    for i in $(seq "$3"); do
         us=$(((lo + hi) / 2))
         sed "s/+1500000 type @CUT/+$((1500000 + us)) quit/" $scenes/cut_save.stim >"$work/cut.stim"
         cp "$work/first" "$work/keep/emu"
@@ -42,10 +42,10 @@ power_cuts() { # most us that a save takes, halvings
         esac
     done
     if [ $torn -gt 0 ]; then
-        echo "[       OK ] $board: the power fails $2 times while a scene is saved; $torn times it was half written, and the old one is there"
+        echo "[       OK ] $board: the power fails $3 times while a scene is saved; $torn times it was half written, and the old one is there"
         echo "# $board: half written after $half us, done after $hi us"
     else
         bad "cut: never half written, between $lo and $hi us"
     fi
 }
-if [ $board = nrf51 ]; then power_cuts 20000 9; else power_cuts 100000 6; fi # an erase is milliseconds long; not in QEMU's model of the nRF51
+if [ $board = nrf51 ]; then power_cuts 20000 40000 12; else power_cuts 20000 120000 6; fi # an erase is milliseconds long; not in QEMU's model of the nRF51

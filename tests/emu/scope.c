@@ -6,6 +6,7 @@
  * store=FILE,flash=ADDRESS+BYTES writes that part of the flash to the file when the run ends.
  * drawings=N ends the run 20 ms after `enable` has gone off for the N-th time; it ends, too, when all has been played
  * and no pin has moved for 30 s. A byte that the UART model cannot take is written to stderr, where the test finds it.
+ * live=1, instead of vcd and stim: somebody sits at the board (scope_live.h).
  * stellaris=1 gives the board the flash controller that QEMU lacks (scope_flash.h). */
 #include <stdbool.h>
 #include <stdint.h>
@@ -15,6 +16,7 @@
 
 #include "qemu_inside.h"
 #include "scope_flash.h"
+#include "scope_live.h"
 #include "stim.h"
 
 #define EXPORT __attribute__((visibility("default")))
@@ -43,7 +45,7 @@ static struct {
     int drawings, to_draw;
     stim_t *stim;
     int stims, at, byte;
-    bool started, ending, stellaris;
+    bool started, ending, stellaris, live;
     char store[160];
     unsigned flash_at, flash_bytes, poked;
     uint8_t was[2];
@@ -75,13 +77,20 @@ static void schedule(void) {
     timer_mod(g.timer, at > now ? at : now + 1);
 }
 
-static void type_byte(const stim_t *s) {
+static bool type(uint8_t byte) {
     void *uart = qemu_chr_find("serial0");
-    uint8_t byte = (uint8_t)s->text[g.byte++];
-    if (uart && qemu_chr_be_can_write(uart) > 0)
+    bool can = uart && qemu_chr_be_can_write(uart) > 0;
+    if (can)
         qemu_chr_be_write(uart, &byte, 1);
     else
         fprintf(stderr, "scope: byte %d lost by the UART\n", byte);
+    return can;
+}
+
+static void set_input(int input, int level) {
+    const wire_t *w = &g.input[input];
+    void *dev = object_resolve_path(w->path, &(bool){false});
+    if (dev) qemu_set_irq(qdev_get_gpio_in(dev, w->line), level != w->low);
 }
 
 /* Writes 16 bits, of flash as well; what was there is kept for heal(). */
@@ -100,7 +109,7 @@ static void play(void *unused) {
     (void)unused;
     const stim_t *s = &g.stim[g.at];
     if (s->kind == STIM_TYPE) {
-        type_byte(s);
+        type((uint8_t)s->text[g.byte++]);
         if (g.byte >= s->bytes) {
             g.at++;
             g.byte = 0;
@@ -109,14 +118,23 @@ static void play(void *unused) {
         if (s->kind == STIM_QUIT) quit(NULL);
         if (s->kind == STIM_POKE) poke(s->at, s->value);
         if (s->kind == STIM_HEAL) heal();
-        if (s->kind == STIM_INPUT) {
-            const wire_t *w = &g.input[s->input];
-            void *dev = object_resolve_path(w->path, &(bool){false});
-            if (dev) qemu_set_irq(qdev_get_gpio_in(dev, w->line), s->level != w->low);
-        }
+        if (s->kind == STIM_INPUT) set_input(s->input, s->level);
         g.at++;
     }
     schedule();
+}
+
+static void record(int pin, bool active) {
+    write_change(pin, active);
+    if (g.at == g.stims && !g.ending) timer_mod(g.quiet, qemu_clock_get_ns(CLOCK_VIRTUAL) + STILL_NS);
+    if (g.first_ns < 0) {
+        g.first_ns = qemu_clock_get_ns(CLOCK_VIRTUAL);
+        schedule();
+    }
+    if (pin == PINS - 1 && !active && ++g.drawings == g.to_draw) {
+        g.ending = true;
+        timer_mod(g.quiet, qemu_clock_get_ns(CLOCK_VIRTUAL) + QUIET_NS);
+    }
 }
 
 static void edge(void *opaque, int n, int level) {
@@ -125,16 +143,10 @@ static void edge(void *opaque, int n, int level) {
     bool active = level >= 0 && (level != 0) != w->low; /* not driven: the resistor's, at rest */
     if (active != (bool)(g.level >> pin & 1)) {
         g.level ^= (uint8_t)(1 << pin);
-        write_change(pin, active);
-        if (g.at == g.stims && !g.ending) timer_mod(g.quiet, qemu_clock_get_ns(CLOCK_VIRTUAL) + STILL_NS);
-        if (g.first_ns < 0) {
-            g.first_ns = qemu_clock_get_ns(CLOCK_VIRTUAL);
-            schedule();
-        }
-        if (pin == PINS - 1 && !active && ++g.drawings == g.to_draw) {
-            g.ending = true;
-            timer_mod(g.quiet, qemu_clock_get_ns(CLOCK_VIRTUAL) + QUIET_NS);
-        }
+        if (g.live)
+            live_pin(qemu_clock_get_ns(CLOCK_VIRTUAL), pin, active);
+        else
+            record(pin, active);
     }
     if (w->next) qemu_set_irq(w->next, level);
     (void)n;
@@ -152,13 +164,14 @@ static void connect(void) {
         }
         w->next = qdev_intercept_gpio_out(dev, qemu_allocate_irq(edge, w, w->line), NULL, w->line);
     }
-    for (int i = 0; i < 4; i++) { /* switches are open: lines at rest are otherwise low */
-        void *dev = g.input[i].used ? object_resolve_path(g.input[i].path, &(bool){false}) : NULL;
-        if (dev) qemu_set_irq(qdev_get_gpio_in(dev, g.input[i].line), g.input[i].low);
-    }
+    for (int i = 0; i < 4; i++) /* switches are open: lines at rest are otherwise low */
+        if (g.input[i].used) set_input(i, 0);
     timer_init_full(g.timer, NULL, CLOCK_VIRTUAL, 1, 0, play, NULL);
     timer_init_full(g.quiet, NULL, CLOCK_VIRTUAL, 1, 0, quit, NULL);
-    schedule();
+    if (g.live)
+        live_begin(type, set_input);
+    else
+        schedule();
     if (!locked) qemu_mutex_unlock_iothread();
 }
 
@@ -177,8 +190,10 @@ static void on_translation(qemu_plugin_id_t id, struct qemu_plugin_tb *tb) {
 
 static void at_exit(qemu_plugin_id_t id, void *unused) {
     (void)id, (void)unused;
-    fprintf(g.vcd, "#%lld\n", (long long)qemu_clock_get_ns(CLOCK_VIRTUAL));
-    fclose(g.vcd);
+    if (g.vcd) {
+        fprintf(g.vcd, "#%lld\n", (long long)qemu_clock_get_ns(CLOCK_VIRTUAL));
+        fclose(g.vcd);
+    }
     FILE *f = g.store[0] ? fopen(g.store, "wb") : NULL;
     if (!f) return;
     if (g.stellaris) flash_power_off();
@@ -202,6 +217,7 @@ static bool parse(const char *arg) {
     if (sscanf(arg, "store=%159s", g.store) == 1) return true;
     if (sscanf(arg, "flash=%i+%i", (int *)&g.flash_at, (int *)&g.flash_bytes) == 2) return true;
     if (sscanf(arg, "drawings=%d", &g.to_draw) == 1) return true;
+    if (strcmp(arg, "live=1") == 0) return g.live = true;
     if (strcmp(arg, "stellaris=1") == 0) return g.stellaris = true;
     if (sscanf(arg, "input=%15[^:]:%159s", name, rest) == 2 && stim_input(name) >= 0) {
         parse_wire(&g.input[stim_input(name)], rest);
@@ -216,6 +232,14 @@ static bool parse(const char *arg) {
     return false;
 }
 
+static void begin_vcd(void) {
+    fprintf(g.vcd, "$timescale 1 ns $end\n$scope module plotter $end\n");
+    for (int i = 0; i < PINS; i++) fprintf(g.vcd, "$var wire 1 %c %s $end\n", '!' + i, PIN_NAME[i]);
+    fprintf(g.vcd, "$upscope $end\n$enddefinitions $end\n#0\n$dumpvars\n");
+    for (int i = 0; i < PINS; i++) fprintf(g.vcd, "0%c\n", '!' + i);
+    fprintf(g.vcd, "$end\n");
+}
+
 EXPORT int qemu_plugin_install(qemu_plugin_id_t id, const struct qemu_info *info, int argc, char **argv);
 EXPORT int qemu_plugin_install(qemu_plugin_id_t id, const struct qemu_info *info, int argc, char **argv) {
     (void)info;
@@ -224,12 +248,8 @@ EXPORT int qemu_plugin_install(qemu_plugin_id_t id, const struct qemu_info *info
             fprintf(stderr, "scope: %s?\n", argv[i]);
             return -1;
         }
-    if (!g.vcd) return -1;
-    fprintf(g.vcd, "$timescale 1 ns $end\n$scope module plotter $end\n");
-    for (int i = 0; i < PINS; i++) fprintf(g.vcd, "$var wire 1 %c %s $end\n", '!' + i, PIN_NAME[i]);
-    fprintf(g.vcd, "$upscope $end\n$enddefinitions $end\n#0\n$dumpvars\n");
-    for (int i = 0; i < PINS; i++) fprintf(g.vcd, "0%c\n", '!' + i);
-    fprintf(g.vcd, "$end\n");
+    if (!g.vcd && !g.live) return -1;
+    if (g.vcd) begin_vcd();
     qemu_plugin_register_vcpu_init_cb(id, on_cpu);
     qemu_plugin_register_vcpu_tb_trans_cb(id, on_translation);
     qemu_plugin_register_atexit_cb(id, at_exit, NULL);

@@ -11,4 +11,5 @@ scene rate 1 # as fast as `set machine` lets it
 . tests/emu/power.sh
 . tests/emu/wiring.sh
 . tests/emu/faults.sh
+. tests/emu/typed.sh
 finish

@@ -20,4 +20,5 @@ switch_us=100
 . tests/emu/power.sh
 . tests/emu/wiring.sh
 . tests/emu/faults.sh
+. tests/emu/typed.sh
 finish

@@ -11,6 +11,7 @@
 /* The driver's functions beside the simulator's of the same name. */
 #define hal_console_read driver_read
 #define hal_console_write driver_write
+#define hal_console_hold driver_hold
 #define hal_console_errors driver_errors
 #define hal_fault driver_fault
 #define hal_idle driver_idle
@@ -163,11 +164,41 @@ static void test_sending(void **state) {
     assert_string_equal(taken(), "?!");
 }
 
+/* The other side is asked to stop before all that waits to be sent, and to go on when there is room again. */
+static void test_flow(void **state) {
+    (void)state;
+    char text[OUT_BYTES];
+    memset(text, 'x', sizeof text);
+    driver_write(text, sizeof text);
+    for (int i = 0; i < IN_BYTES / 2 + 1; i++) arrive('a');
+    console_uart_isr();
+    driver_idle();
+    assert_int_equal(memchr(u.sent, XOFF, u.sent_bytes) ? 1 : 0, 1);
+    assert_true((char *)memchr(u.sent, XOFF, u.sent_bytes) - u.sent <= 2);
+    for (int i = 0; i < IN_BYTES / 2 - 1; i++) arrive('b');
+    console_uart_isr();
+    for (int i = 0; i < 100; i++) driver_idle();
+    assert_int_equal(u.sent_bytes, OUT_BYTES + 1); /* once */
+    driver_hold(true);
+    assert_int_equal(strlen(taken()), IN_BYTES);
+    driver_idle();
+    assert_int_equal(u.sent_bytes, OUT_BYTES + 1);
+    driver_hold(false);
+    driver_idle();
+    assert_int_equal(u.sent_bytes, OUT_BYTES + 2);
+    assert_int_equal(u.sent[u.sent_bytes - 1], XON);
+    driver_hold(true);
+    driver_hold(false); /* the last word counts */
+    for (int i = 0; i < 4; i++) driver_idle();
+    assert_int_equal(u.sent[u.sent_bytes - 1], XON);
+    assert_int_equal(driver_errors(), 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(test_damaged, power_on), cmocka_unit_test_setup(test_overrun, power_on),
         cmocka_unit_test_setup(test_full, power_on),    cmocka_unit_test_setup(test_all_bytes, power_on),
-        cmocka_unit_test_setup(test_sending, power_on),
+        cmocka_unit_test_setup(test_sending, power_on), cmocka_unit_test_setup(test_flow, power_on),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
