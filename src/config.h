@@ -62,6 +62,11 @@
 #define CONFIG_SAMPLED CONFIG_PARAMETRIC
 #endif
 
+/* set dgrid3d (0 or 1): 3 KB of flash. */
+#ifndef CONFIG_SCATTERED
+#define CONFIG_SCATTERED CONFIG_AREA
+#endif
+
 /* if, do, while, `for`, and texts that are put together (0 or 1): 6 KB of flash. How many blocks may be open; how often
  * loops may go round before what was typed counts as caught in one. */
 #ifndef CONFIG_CONTROL

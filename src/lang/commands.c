@@ -85,6 +85,8 @@ static __attribute__((noinline)) int other_command(session_t *s, lexer_t *lx, in
 #if CONFIG_CONTROL
     case CMD_CONTROL:
         return control_command(s, lx, &word);
+    case CMD_UNDEFINE:
+        return undefine_command(s, lx);
 #endif
     case CMD_UNSUPPORTED:
         return lang_error_set_name(&s->error, ERR_UNSUPPORTED, lexer_column(&word), "a command of gnuplot's only",
@@ -98,7 +100,8 @@ static __attribute__((noinline)) int other_command(session_t *s, lexer_t *lx, in
 
 static int named_command(session_t *s, lexer_t *lx, int index) {
     const enum command_id id = words_command_id[index];
-    if (id == CMD_CONTROL || id == CMD_UNSUPPORTED || id == CMD_IGNORED) return other_command(s, lx, index);
+    if (id == CMD_CONTROL || id == CMD_UNDEFINE || id == CMD_UNSUPPORTED || id == CMD_IGNORED)
+        return other_command(s, lx, index);
     const uint32_t from = lx->tok.start;
     lexer_next(lx);
     switch (id) {

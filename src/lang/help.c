@@ -86,6 +86,9 @@ static const struct {
 #endif
     {"pa$use", "pause SECONDS ['text'];  pause -1 waits for Return, where there is somebody to press it.\n"},
 #if FILES
+#if CONFIG_CONTROL
+    {"und$efine", "undefine a b* f(): these variables, those that begin so, this function are forgotten.\n"},
+#endif
     {"q$uit", "quit, exit, q: the end.\n"},
     {"ex$it", "quit, exit, q: the end.\n"},
 #endif
@@ -124,6 +127,11 @@ static const struct {
      "ends: also where it only comes that close to a nearer line, beside it or beyond its end. 0 is no halo.\n"},
 #if CONFIG_LOGSCALE
     {"log$scale", "set logscale [xyz] [BASE]: these axes, or all, are logarithmic. unset logscale [xyz]\n"},
+#endif
+#if CONFIG_SCATTERED
+    {"dg$rid3d",
+     "set dgrid3d [ROWS[,COLUMNS]] [qnorm Q | gauss|exp|cauchy|box|hann [kdensity2d] [SX[,SY]]]: scattered points of\n"
+     "data become a grid, whose heights are means of theirs weighted by their distance (10,10 qnorm 1).\n"},
 #endif
 #if CONFIG_SAMPLED
     {"sample",

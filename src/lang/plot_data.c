@@ -64,6 +64,9 @@ int plot_data_start(session_t *s, session_source_t *src, bool inline_data, int32
     src->first_grid = s->plot.grids;
     src->spec.compute = compute;
     src->spec.ctx = s;
+#if CONFIG_SCATTERED
+    src->spec.scattered = s->scattered.on && !src->spec.flat ? &s->scattered : NULL;
+#endif
 #if CONFIG_SAMPLED
     src->spec.mapping = !src->spec.flat ? s->mapping : s->axes == AXES_POLAR ? DATA_POLAR : DATA_CARTESIAN;
     src->spec.degrees = s->lang.degrees;
@@ -128,7 +131,8 @@ static int finish_isolines(session_t *s, session_source_t *src) {
         const char *why = data_grid_text(s->plot.reader.trouble);
         session_warn(s, where, why, strlen(why), "");
     }
-    if (mesh->faces == 0) session_warn(s, "", "lines", 5, " are drawn, as isolines of one length would make a surface");
+    if (mesh->faces == 0)
+        session_warn(s, "", "lines", 5, " are drawn: isolines of one length, or set dgrid3d, would make a surface");
     src->curved = true;
     return 0;
 }

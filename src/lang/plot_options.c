@@ -106,7 +106,7 @@ static int every_option(session_t *s, lexer_t *lx, data_spec_t *spec) {
 }
 
 int plot_options_data(session_t *s, lexer_t *lx, session_source_t *src) {
-    static const char other[] = "bin$ary\0smooth\0s$mooth\0mask\0zsort\0bins\0array\0rec$ord\0";
+    static const char other[] = "smooth\0s$mooth\0mask\0zsort\0bins\0array\0rec$ord\0";
     bool seen_using = false, seen_index = false, seen_every = false, seen_matrix = false;
     const int32_t begin = lexer_column(lx);
     for (;;) {
@@ -139,6 +139,8 @@ int plot_options_data(session_t *s, lexer_t *lx, session_source_t *src) {
         } else if (lexer_is_name(lx, "solid") || lexer_is_name(lx, "obj")) {
             lexer_next(lx);
             src->solid = true;
+        } else if (lexer_is_almost(lx, "bin$ary")) {
+            return session_fail(s, lx, ERR_UNSUPPORTED, "binary data are not read; write them as text");
         } else if (words_find(other, lx) >= 0) {
             return lang_error_set_name(&s->error, ERR_UNSUPPORTED, lexer_column(lx), "not supported", lexer_text(lx),
                                        lx->tok.len);

@@ -176,6 +176,9 @@ typedef struct session {
 #if CONFIG_PARAMETRIC
     range_t uv[2]; /* set urange, vrange */
 #endif
+#if CONFIG_SCATTERED
+    scattered_spec_t scattered; /* set dgrid3d */
+#endif
 #if CONFIG_SAMPLED
     range_t t; /* set trange */
     enum data_mapping mapping;

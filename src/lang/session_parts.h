@@ -75,6 +75,9 @@ void control_restore(session_t *s, const control_range_t *r);
 /* commands.c */
 int command_execute(session_t *s, lexer_t *lx);
 
+#if CONFIG_CONTROL
+int undefine_command(session_t *s, lexer_t *lx); /* undefine.c */
+#endif
 /* set.c */
 int set_command(session_t *s, lexer_t *lx);
 int set_unset_command(session_t *s, lexer_t *lx); /* unset.c */
@@ -114,7 +117,9 @@ int set_hatch(session_t *s, lexer_t *lx); /* set_light.c */
 int set_light(session_t *s, lexer_t *lx);
 int set_no_light(session_t *s, lexer_t *lx);
 int set_shadow(session_t *s, lexer_t *lx);
-int set_pen(session_t *s, lexer_t *lx); /* set_pen.c */
+int set_pen(session_t *s, lexer_t *lx);   /* set_pen.c */
+int set_dgrid(session_t *s, lexer_t *lx); /* set_dgrid.c */
+void show_dgrid(const session_t *s, text_t *t);
 int set_crease(session_t *s, lexer_t *lx);
 const char *set_pen_class(int k); /* its name */
 int set_xyplane(session_t *s, lexer_t *lx);

@@ -18,6 +18,9 @@ void set_reset(session_t *s) {
     s->mapping = DATA_CARTESIAN;
 #endif
 #endif
+#if CONFIG_SCATTERED
+    scattered_default(&s->scattered);
+#endif
     s->lang.degrees = false;
     memcpy(s->dummy[0], "x", 2);
     memcpy(s->dummy[1], "y", 2);
@@ -159,6 +162,10 @@ int set_command(session_t *s, lexer_t *lx) {
         return set_autoscale(s, lx);
     case SET_DATAFILE:
         return set_datafile(s, lx, index, &word);
+#if CONFIG_SCATTERED
+    case SET_DGRID:
+        return set_dgrid(s, lx);
+#endif
     case SET_DUMMY:
         return set_dummy(s, lx);
     case SET_HALO:
@@ -236,6 +243,9 @@ int set_command(session_t *s, lexer_t *lx) {
             if (err) return err;
         } /* fall through */
     case SET_IGNORED:
+#if !CONFIG_SCATTERED
+    case SET_DGRID:
+#endif
 #if !CONFIG_SAMPLED
     case SET_POLAR:
     case SET_TRANGE:

@@ -18,7 +18,7 @@ int set_unset_command(session_t *s, lexer_t *lx) {
         return 0;
     }
     if (id == SET_IGNORED || id == SET_STYLE || id == SET_BORDER || set_tics_of(id) ||
-        (!CONFIG_SAMPLED && (id == SET_TRANGE || id == SET_MAPPING)) ||
+        (!CONFIG_SCATTERED && id == SET_DGRID) || (!CONFIG_SAMPLED && (id == SET_TRANGE || id == SET_MAPPING)) ||
         (!CONFIG_PARAMETRIC && (id == SET_URANGE || id == SET_VRANGE))) {
         set->tics &= (uint8_t)~set_tics_of(id);
         if (id == SET_BORDER) set->border_base = false;
@@ -92,6 +92,11 @@ int set_unset_command(session_t *s, lexer_t *lx) {
     case SET_URANGE:
     case SET_VRANGE:
         s->uv[id == SET_VRANGE] = fresh.x;
+        return 0;
+#endif
+#if CONFIG_SCATTERED
+    case SET_DGRID:
+        s->scattered.on = false;
         return 0;
 #endif
 #if CONFIG_SAMPLED

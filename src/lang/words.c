@@ -30,6 +30,11 @@ int words_find(const char *table, const lexer_t *lx) {
 #else
 #define CONTROL CMD_UNSUPPORTED
 #endif
+#if CONFIG_CONTROL
+#define UNDEFINE CMD_UNDEFINE
+#else
+#define UNDEFINE CMD_IGNORED
+#endif
 #define COMMANDS(WORD)                                                                                                 \
     WORD("array", CMD_UNSUPPORTED)                                                                                     \
     WORD("bi$nd", CMD_IGNORED)                                                                                         \
@@ -70,7 +75,7 @@ int words_find(const char *table, const lexer_t *lx) {
     WORD("sy$stem", CMD_UNSUPPORTED)                                                                                   \
     WORD("test", CMD_IGNORED)                                                                                          \
     WORD("tog$gle", CMD_IGNORED)                                                                                       \
-    WORD("und$efine", CMD_IGNORED)                                                                                     \
+    WORD("und$efine", UNDEFINE)                                                                                        \
     WORD("uns$et", CMD_UNSET)                                                                                          \
     WORD("up$date", CMD_IGNORED)                                                                                       \
     WORD("vclear", CMD_UNSUPPORTED)                                                                                    \
@@ -113,7 +118,7 @@ _Static_assert(sizeof words_command_id <= WORDS_WARNED_STYLE, "a warning bit for
     WORD("data", SET_IGNORED)                                                                                          \
     WORD("dataf$ile", SET_DATAFILE)                                                                                    \
     WORD("dec$imalsign", SET_IGNORED)                                                                                  \
-    WORD("dg$rid3d", SET_IGNORED)                                                                                      \
+    WORD("dg$rid3d", SET_DGRID)                                                                                        \
     WORD("du$mmy", SET_DUMMY)                                                                                          \
     WORD("enc$oding", SET_IGNORED)                                                                                     \
     WORD("errorb$ars", SET_IGNORED)                                                                                    \

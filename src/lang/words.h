@@ -19,6 +19,7 @@ bool words_match(const char *pattern, const char *text, size_t len);
 
 enum command_id {
     CMD_CONTROL,
+    CMD_UNDEFINE,
     CMD_EXIT,
     CMD_HELP,
     CMD_LOAD,
@@ -60,6 +61,7 @@ enum set_id {
     SET_POLAR, /* this and the next are ignored, but plots are refused while they are set */
     SET_LOGSCALE,
     SET_NONLINEAR,
+    SET_DGRID,
     SET_MAPPING,
     SET_TRANGE,
     SET_URANGE, /* these two are ignored without parametric surfaces */

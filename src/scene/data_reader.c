@@ -19,6 +19,9 @@ void data_reader_start(data_reader_t *r, const data_spec_t *spec, data_pool_t *p
                          .parts = spec->parts,
                          .skip = spec->skip};
     field_start(&r->field, spec->separator, stop_at_e, first_line);
+#if CONFIG_SCATTERED
+    scattered_start(&r->scattered, pool);
+#endif
 }
 
 static int refuse(data_reader_t *r, enum data_grid_trouble why, int32_t at) {
@@ -82,9 +85,17 @@ static int take(data_reader_t *r, enum step step, const num_t p[3]) {
 }
 #endif
 
+static bool is_scattered(const data_reader_t *r) {
+#if CONFIG_SCATTERED
+    return r->spec->scattered && !r->spec->flat;
+#else
+    return (void)r, false;
+#endif
+}
+
 /* The first point of a data set opens its grid; a curve goes on through all sets. */
 static int open_set(data_reader_t *r) {
-    if (r->set_open) return 0;
+    if (r->set_open || is_scattered(r)) return 0;
     if (r->spec->flat && r->grids) {
         r->set_open = true;
         return 0;
@@ -184,6 +195,9 @@ static int point(data_reader_t *r) {
     r->kept_point++;
     num_t p[3] = {x, y, z};
     data_place(s, p);
+#if CONFIG_SCATTERED
+    if (s->scattered) return scattered_point(&r->scattered, p) ? refuse(r, DATA_FULL, 0) : 0;
+#endif
     return take(r, STEP_POINT, p);
 }
 
@@ -324,6 +338,15 @@ int data_reader_finish(data_reader_t *r) {
     int err = end_block(r);
     if (!err) err = close_set(r);
     if (err) return err;
+#if CONFIG_SCATTERED
+    if (is_scattered(r)) {
+        if (r->grids == r->grids_max) return refuse(r, DATA_SETS, 0);
+        err = scattered_grid(&r->scattered, r->spec->scattered, &r->grid[r->grids]);
+        r->grids += !err;
+        if (err == ERR_FULL) return refuse(r, DATA_FULL, 0);
+        return err ? err : 1;
+    }
+#endif
     if (r->spec->flat && r->grids) err = data_curve_finish(r->curve);
     if (err == ERR_FULL) return refuse(r, DATA_FULL, 0);
     if (err) return err;

@@ -16,6 +16,7 @@
 #include "scene/data_grid.h"
 #include "scene/field.h"
 #include "scene/isolines.h"
+#include "scene/scattered.h"
 
 enum data_format { DATA_ROWS, DATA_MATRIX, DATA_NONUNIFORM };
 
@@ -48,6 +49,9 @@ typedef struct data_spec {
     enum data_mapping mapping;
     bool degrees; /* its angles */
 #endif
+#if CONFIG_SCATTERED
+    const scattered_spec_t *scattered; /* points become a grid, or NULL */
+#endif
 #if CONFIG_LOGSCALE
     const num_t *log_base; /* [3], as log_scale() has it: x, y and z are logarithms; or NULL */
 #endif
@@ -67,6 +71,9 @@ typedef struct data_reader {
     isolines_t *isolines; /* of the caller, with its limits; or NULL */
     bool in_isolines;     /* sets go there now */
     int32_t left_grid_at; /* the line where what had begun as a grid proved to be none, trouble says why; or 0 */
+#endif
+#if CONFIG_SCATTERED
+    scattered_t scattered;
 #endif
     int32_t grids, grids_max;
     num_t column[CONFIG_DATA_COLUMNS + 1];      /* of the row being read: [1] is the first; [0] the point's number */
