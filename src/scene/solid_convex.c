@@ -9,10 +9,16 @@
 
 /* What is summed up about one object. */
 typedef struct centre {
-    int64_t sum[3];
-    int64_t corners;
-    int32_t first; /* face; -1: none yet */
-    int32_t hits;  /* faces that the ray meets */
+    union {
+        int64_t sum[3]; /* of the corners, until all are there */
+        struct {
+            solid_vertex_t at; /* the centre */
+            solid_delta_t ray; /* from there to the middle of the first face */
+        };
+    };
+    int64_t corners; /* 0: at and ray are set */
+    int32_t first;   /* face; -1: none yet */
+    int32_t hits;    /* faces that the ray meets */
 } centre_t;
 
 static bool is_candidate(const solid_build_t *b, int32_t face) {
@@ -73,15 +79,22 @@ static bool leaves_through(const solid_t *s, int32_t f, const solid_vertex_t *c,
     return true;
 }
 
-static void check_centre(solid_build_t *b, int32_t f, centre_t *t) {
-    const solid_t *s = b->s;
-    const solid_normal_t n = solid_face_normal(s, f);
-    const solid_vertex_t c = mean(t->sum, t->corners), *at = &s->vertex[s->corner[s->face[f].corner]];
+static void set_ray(const solid_t *s, centre_t *t) {
     int64_t first[3] = {0, 0, 0};
     add_corners(s, t->first, first);
-    const solid_vertex_t target = mean(first, s->face[t->first].n);
-    bool behind = wide_cmp(solid_dot(&n, solid_sub(&c, at)), wide_neg(solid_slack(&n))) < 0;
-    t->hits += leaves_through(s, f, &c, solid_sub(&target, &c));
+    const solid_vertex_t at = mean(t->sum, t->corners), target = mean(first, s->face[t->first].n);
+    t->at = at;
+    t->ray = solid_sub(&target, &at);
+    t->corners = 0;
+}
+
+static void check_centre(solid_build_t *b, int32_t f, centre_t *t) {
+    const solid_t *s = b->s;
+    if (t->corners) set_ray(s, t);
+    const solid_normal_t n = solid_face_normal(s, f);
+    const solid_vertex_t *at = &s->vertex[s->corner[s->face[f].corner]];
+    bool behind = wide_cmp(solid_dot(&n, solid_sub(&t->at, at)), wide_neg(solid_slack(&n))) < 0;
+    t->hits += leaves_through(s, f, &t->at, t->ray);
     if (!behind || t->hits > 1) demote(b, f);
 }
 

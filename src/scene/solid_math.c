@@ -34,9 +34,7 @@ static bool is_within(wide_t v, wide_t slack) {
 }
 
 static bool agrees(const solid_normal_t *a, const solid_normal_t *b) {
-    wide_t p = wide_mul_s64(a->n[0], b->n[0]);
-    p = wide_add(p, wide_mul_s64(a->n[1], b->n[1]));
-    return wide_sign(wide_add(p, wide_mul_s64(a->n[2], b->n[2]))) >= 0;
+    return wide_sign(wide_dot3_s64(a->n, b->n)) >= 0;
 }
 
 bool solid_face_is_flat(const solid_t *s, int32_t face, const solid_normal_t *normal) {
@@ -48,6 +46,22 @@ bool solid_face_is_flat(const solid_t *s, int32_t face, const solid_normal_t *no
     return true;
 }
 
+/* A quadrilateral, whose normal is the product of its diagonals: its corners are off its plane by turns as much as the
+ * second is. Opposite turns add up to the normal. */
+static bool is_convex_cell(const solid_t *s, const int32_t *c, const solid_normal_t *normal, wide_t slack) {
+    const solid_delta_t side[3] = {solid_sub(&s->vertex[c[1]], &s->vertex[c[0]]),
+                                   solid_sub(&s->vertex[c[2]], &s->vertex[c[1]]),
+                                   solid_sub(&s->vertex[c[3]], &s->vertex[c[2]])};
+    if (!is_within(solid_dot(normal, side[0]), slack)) return false;
+    const wide_t whole = wide_dot3_s64(normal->n, normal->n);
+    for (int k = 0; k < 2; k++) {
+        const solid_normal_t turn = solid_cross(side[k], side[k + 1]);
+        const wide_t part = wide_dot3_s64(normal->n, turn.n);
+        if (wide_sign(part) < 0 || wide_cmp(part, whole) > 0) return false;
+    }
+    return true;
+}
+
 bool solid_face_is_convex(const solid_t *s, int32_t face, const solid_normal_t *normal) {
     const solid_face_t *f = &s->face[face];
     const int32_t *c = s->corner + f->corner;
@@ -55,13 +69,13 @@ bool solid_face_is_convex(const solid_t *s, int32_t face, const solid_normal_t *
     if (f->n == 3) return true;
     const wide_t slack = solid_slack(normal);
     const solid_vertex_t *at = &s->vertex[c[0]];
+    if (f->n == 4) return is_convex_cell(s, c, normal, slack);
     for (int32_t k = 0; k < f->n; k++) {
         const solid_vertex_t *p = &s->vertex[c[k]], *q = &s->vertex[c[k + 1 < f->n ? k + 1 : 0]],
                              *r = &s->vertex[c[k + 2 < f->n ? k + 2 : k + 2 - f->n]];
         if (!is_within(solid_dot(normal, solid_sub(p, at)), slack)) return false;
         solid_normal_t turn = solid_cross(solid_sub(q, p), solid_sub(r, q));
         if (!agrees(normal, &turn)) return false;
-        if (f->n == 4) continue;
         solid_normal_t fan = solid_cross(solid_sub(p, at), solid_sub(q, at)); /* a star turns one way too, but not so */
         if (!agrees(normal, &fan)) return false;
     }
