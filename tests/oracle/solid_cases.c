@@ -24,13 +24,18 @@ static bool fails(void *ctx, const solid_scene_t *s) {
 }
 
 int solid_cases_random(cases_t *c, uint64_t first, uint64_t count, int objects, solid_judge_t judge, void *ctx) {
+    return solid_cases_made(c, first, count, objects, solid_scene_random, judge, ctx);
+}
+
+int solid_cases_made(cases_t *c, uint64_t first, uint64_t count, int objects, solid_make_t make, solid_judge_t judge,
+                     void *ctx) {
     uint64_t from, to;
     int failed = 0;
     if (!cases_seeds(first, count, &from, &to)) return 0;
     for (uint64_t seed = from; seed < to && failed < 20; seed++) {
         solid_scene_t s;
         judge_report_t r = {0};
-        solid_scene_random(&s, seed, objects);
+        make(&s, seed, objects);
         enum solid_verdict verdict = judge(ctx, &s, &r);
         if (verdict == SOLID_FAILED) {
             failed++;

@@ -13,6 +13,10 @@ typedef enum solid_verdict (*solid_judge_t)(void *ctx, const solid_scene_t *s, j
 /* `count` scenes of up to so many objects from seed `first` on, or as RIDGELINE_SEED and its kin say. Prints failures,
  * with the command of c->program that repeats each, the first three made small, and a summary. Returns how many failed,
  * at most 20. */
+typedef void (*solid_make_t)(solid_scene_t *s, uint64_t seed, int objects);
+int solid_cases_made(cases_t *c, uint64_t first, uint64_t count, int objects, solid_make_t make, solid_judge_t judge,
+                     void *ctx);
+/* Of solid_scene_random. */
 int solid_cases_random(cases_t *c, uint64_t first, uint64_t count, int objects, solid_judge_t judge, void *ctx);
 
 #endif

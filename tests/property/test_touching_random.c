@@ -1,0 +1,55 @@
+/* Bodies that touch in faces, edges and corners, seen along these (solid_scene_touching, and boxes flush on a lattice,
+ * solid_scene_flush), by the convex kernel and by the area sort, judged against rays. RIDGELINE_CASES multiplies the
+ * count, RIDGELINE_SEED tries one. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "tests/oracle/solid_cases.h"
+
+static enum solid_verdict by_convex(void *ctx, const solid_scene_t *s, judge_report_t *r) {
+    (void)ctx;
+    return solid_scene_judge(s, r) ? SOLID_GOOD : SOLID_FAILED;
+}
+
+/* Where bodies cut into each other on a lattice, edges lie in the very lines of the cuts, which are not drawn. */
+static enum solid_verdict by_area_sort(void *ctx, const solid_scene_t *s, judge_report_t *r) {
+    area_stats_t area = {0};
+    const bool good = solid_scene_judge_area(s, r, &area);
+    (void)ctx;
+    if (good || !area.intersections) return good ? SOLID_GOOD : SOLID_FAILED;
+    r->missing_mm = r->end_steps = 0;
+    return r->false_mm <= CASES_RUN_MM && r->twice_mm <= CASES_TWICE_MM ? SOLID_GOOD : SOLID_FAILED;
+}
+
+static int run(const char *name, uint64_t first, solid_make_t make, solid_judge_t judge) {
+    cases_t c = {.name = name, .program = "test_touching_random"};
+    return solid_cases_made(&c, first, cases_scaled(600), 5, make, judge, NULL);
+}
+
+static void touching_convex(void **state) {
+    (void)state;
+    assert_int_equal(run("touching, convex", 0, solid_scene_touching, by_convex), 0);
+}
+static void touching_area(void **state) {
+    (void)state;
+    assert_int_equal(run("touching, area sort", 1000000000, solid_scene_touching, by_area_sort), 0);
+}
+static void flush_convex(void **state) {
+    (void)state;
+    assert_int_equal(run("flush, convex", 2000000000, solid_scene_flush, by_convex), 0);
+}
+static void flush_area(void **state) {
+    (void)state;
+    assert_int_equal(run("flush, area sort", 3000000000, solid_scene_flush, by_area_sort), 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(touching_convex), cmocka_unit_test(touching_area),
+                                       cmocka_unit_test(flush_convex), cmocka_unit_test(flush_area)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
