@@ -1,0 +1,48 @@
+/* compile.h - what is open while an expression is compiled; between compile.c and compile_operand.c only. */
+#ifndef COMPILE_H
+#define COMPILE_H
+
+#include "lang/emit.h"
+#include "lang/expr.h"
+
+/* Precedences; the open brackets stay below all operators. */
+enum { OPEN = 0, LOOSE = 1, OR = 2, AND = 3, PREFIX = 12, POWER = 13 };
+
+enum pending_kind {
+    P_BINARY,  /* a = operation */
+    P_PREFIX,  /* a = operation */
+    P_LOGIC,   /* && ||: at = its jump */
+    P_SET,     /* from here on what a value may be assigned behind. name = ...: a = symbol */
+    P_ELSE,    /* behind the colon: at = the jump over it */
+    P_THEN,    /* from here on brackets. Behind the question mark: at = the jump to the other side */
+    P_GROUP,   /* ( */
+    P_BUILTIN, /* name( : a = index, at = arguments so far */
+    P_USER,    /* name( : a = symbol, at = arguments so far */
+};
+
+typedef struct pending {
+    uint8_t kind;
+    uint8_t a;
+    uint16_t at;
+} pending_t;
+
+typedef struct compiler {
+    emit_t e;
+    lexer_t *lx;
+    const expr_params_t *params;
+    lang_error_t *err;
+    bool columns;
+    bool calls;  /* a function of the user's */
+    int pending; /* entries of stack in use */
+    pending_t stack[CONFIG_NESTING];
+} compiler_t;
+
+_Static_assert(sizeof(pending_t) == 4, "the header promises 4 bytes for each level of nesting");
+
+/* compile.c: one more is open. 0 or ERR_FULL. */
+int compile_open(compiler_t *c, int kind, int a, uint16_t at);
+/* compile_operand.c: takes one token where an operand is expected. Returns 1 when it was one, 0 when it still is
+ * expected, or an error. */
+int compile_operand(compiler_t *c);
+
+#endif
