@@ -92,11 +92,8 @@ void report_json_page(FILE *f, const report_t *r) {
             "\"peak_upper\": %d, \"peak_lower\": %d},\n",
             (long long)p->hidden.edges, (long long)p->hidden.tests, (long long)p->hidden.crossings,
             (long long)p->hidden.pieces, (int)p->hidden.peak_upper, (int)p->hidden.peak_lower);
-    fprintf(f,
-            "      \"path\": {\"runs\": %lld, \"dots\": %lld, \"vertices\": %lld, \"flushes\": %lld, "
-            "\"up_arrival_mm\": %.3f}\n    }",
-            (long long)p->path.runs, (long long)p->path.dots, (long long)p->path.vertices, (long long)p->path.flushes,
-            (double)p->path.up_arrival_lat / LAT_PER_MM);
+    fprintf(f, "      \"path\": {\"runs\": %lld, \"dots\": %lld, \"vertices\": %lld, \"flushes\": %lld}\n    }",
+            (long long)p->path.runs, (long long)p->path.dots, (long long)p->path.vertices, (long long)p->path.flushes);
 }
 
 void report_json_end(FILE *f) {

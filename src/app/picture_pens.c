@@ -64,9 +64,6 @@ void pens_add(picture_stats_t *sum, const picture_stats_t *pass) {
     sum->path.vertices += path.vertices;
     sum->path.draws += path.draws;
     sum->path.flushes += path.flushes;
-    sum->path.down_lat += path.down_lat;
-    sum->path.up_lat += path.up_lat;
-    sum->path.up_arrival_lat += path.up_arrival_lat;
     if (path.bytes > more->bytes) sum->path.bytes = path.bytes;
 }
 

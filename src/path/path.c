@@ -34,7 +34,6 @@ static inline path_fed_t *fed_of(const path_t *p) {
 static int pen_move(void *ctx, page_point_t to) {
     path_t *p = ctx;
     p->stats.strokes++;
-    p->stats.up_lat += dist_between(p->at, to);
     p->at = to;
     return p->pen->move(p->pen->ctx, to);
 }
@@ -42,17 +41,8 @@ static int pen_move(void *ctx, page_point_t to) {
 static int pen_draw(void *ctx, page_point_t to) {
     path_t *p = ctx;
     p->stats.draws++;
-    p->stats.down_lat += dist_between(p->at, to);
     p->at = to;
     return p->pen->draw(p->pen->ctx, to);
-}
-
-/* What the plotter would travel if it drew the runs from `from` on as they came. */
-static void account_arrivals(path_t *p, const chain_t *c, int32_t from) {
-    for (int32_t r = from; r < p->pool.n; r++) {
-        p->stats.up_arrival_lat += dist_between(p->arrival_at, c->point[2 * r]);
-        p->arrival_at = c->point[2 * r + 1];
-    }
 }
 
 static bool drop_if_dot(path_t *p, const page_point_t *point, int32_t start) {
@@ -152,7 +142,6 @@ static void order(path_t *p, tour_t *tour, bool all, bool improve) {
     chain_t chain;
     pool_t *pool = &p->pool;
     p->stats.lost += chain_place(&chain, pool, p->map, p->config.step_lat / 4);
-    account_arrivals(p, &chain, p->kept < pool->n ? p->kept : pool->n);
     tell(p, all, TOLD_PLACED);
     chain_pair(&chain);
     tell(p, all, TOLD_PAIRED);
@@ -212,7 +201,6 @@ static int flush(path_t *p, enum flush why) {
         pool->n = 0;
     else
         forget_drawn(pool);
-    p->kept = pool->n;
     return 0;
 }
 
@@ -273,7 +261,7 @@ int path_init(path_t *p, void *mem, size_t bytes, const path_config_t *c, const 
     size_t skip = (8 - (uintptr_t)mem % 8) % 8, left = bytes - skip;
     uint32_t pairs = 1;
     while (wants_pairs(c, 2 * pairs, left)) pairs *= 2;
-    *p = (path_t){.config = *c, .map = map, .pen = pen, .at = c->home, .leaves = c->home, .arrival_at = c->home};
+    *p = (path_t){.config = *c, .map = map, .pen = pen, .at = c->home, .leaves = c->home};
     join_init(&p->join, (uint8_t *)mem + skip, pairs, c->step_lat / 4, map, (ink_sink_t){p, take_run});
     left -= JOIN_BYTES(pairs);
     const size_t waiting = CONFIG_FED && c->feed ? (size_t)c->feed->runs : 0;
@@ -318,8 +306,6 @@ int path_finish(path_t *p, path_stats_t *stats) {
     if (!err) err = before_order(p);
     if (!err) err = flush(p, FLUSH_ALL);
     p->stats.pieces = p->join.pieces;
-    p->stats.up_lat += dist_between(p->at, p->config.home);
-    p->stats.up_arrival_lat += dist_between(p->arrival_at, p->config.home);
     p->at = p->config.home;
     if (stats) *stats = p->stats;
     return err;

@@ -57,18 +57,15 @@ typedef struct path_config {
 } path_config_t;
 
 typedef struct path_stats {
-    int64_t pieces;         /* taken from the kernel */
-    int64_t runs;           /* after joining */
-    int64_t strokes;        /* drawn: so often the pen is lowered */
-    int64_t dots;           /* strokes below one step, not drawn */
-    int64_t lost;           /* runs whose ends the map did not find on the paper, not drawn */
-    int64_t vertices;       /* computed */
-    int64_t draws;          /* left after merging */
-    int64_t flushes;        /* how often the pool was full */
-    int64_t down_lat;       /* length drawn */
-    int64_t up_lat;         /* length travelled, from home to home */
-    int64_t up_arrival_lat; /* what it would be if each run were drawn alone, in the order they came */
-    size_t bytes;           /* memory used */
+    int64_t pieces;   /* taken from the kernel */
+    int64_t runs;     /* after joining */
+    int64_t strokes;  /* drawn: so often the pen is lowered */
+    int64_t dots;     /* strokes below one step, not drawn */
+    int64_t lost;     /* runs whose ends the map did not find on the paper, not drawn */
+    int64_t vertices; /* computed */
+    int64_t draws;    /* left after merging */
+    int64_t flushes;  /* how often the pool was full */
+    size_t bytes;     /* memory used */
 } path_stats_t;
 
 /* What only a path with a feed has. */
@@ -85,12 +82,11 @@ typedef struct path {
     join_t join;
     pool_t pool;
     simplify_t simplify;
-    path_fed_t *fed;             /* in the lent memory, or NULL */
-    page_point_t at, arrival_at; /* where the pen is, and would be without ordering */
-    page_point_t leaves;         /* where it will be when all that is settled is drawn */
-    int32_t kept;                /* runs in the pool that have been through a flush */
-    int32_t drawing, drawn;      /* while strokes of the pool are drawn: how many there are, and which */
-    int64_t vertices;            /* of all runs taken so far; stats.vertices counts them as they are drawn */
+    path_fed_t *fed;        /* in the lent memory, or NULL */
+    page_point_t at;        /* where the pen is */
+    page_point_t leaves;    /* where it will be when all that is settled is drawn */
+    int32_t drawing, drawn; /* while strokes of the pool are drawn: how many there are, and which */
+    int64_t vertices;       /* of all runs taken so far; stats.vertices counts them as they are drawn */
     path_stats_t stats;
 } path_t;
 

@@ -14,9 +14,23 @@ static double hill(double r) {
     return exp(-r * r);
 }
 
-static int no_pen(void *ctx, page_point_t p) {
-    (void)ctx;
-    (void)p;
+/* A pen that only measures. */
+typedef struct ruler {
+    page_point_t at;
+    double up_lat, down_lat;
+} ruler_t;
+
+static double go(ruler_t *r, page_point_t p) {
+    const double dx = (double)p.x_lat - r->at.x_lat, dy = (double)p.y_lat - r->at.y_lat;
+    r->at = p;
+    return sqrt(dx * dx + dy * dy);
+}
+static int pen_move(void *ctx, page_point_t p) {
+    ((ruler_t *)ctx)->up_lat += go(ctx, p);
+    return 0;
+}
+static int pen_draw(void *ctx, page_point_t p) {
+    ((ruler_t *)ctx)->down_lat += go(ctx, p);
     return 0;
 }
 
@@ -44,7 +58,8 @@ static void measure(int32_t n, double (*f)(double)) {
     path_t path;
     if (surface_ink_make(&ink, n, 2, f, true)) return;
     const ink_map_t map = {&ink, surface_ink_point};
-    const pen_sink_t pen = {NULL, no_pen, no_pen};
+    ruler_t ruler = {0};
+    const pen_sink_t pen = {&ruler, pen_move, pen_draw};
     size_t bytes = PATH_BYTES(ink.pieces + POOL_RUNS_MIN, 1);
     void *mem = malloc(bytes);
     double start, taken, finished, maps = map_ns(&ink);
@@ -60,9 +75,8 @@ static void measure(int32_t n, double (*f)(double)) {
     finished = now_ns();
     double facets = (double)(n - 1) * (n - 1);
     printf("%-7s %5d %9d %9d %9.0f %9.0f %8.1f %8.1f %8.1f %8.0f\n", f ? "smooth" : "random", n, (int)stats.runs,
-           (int)stats.strokes, (double)stats.down_lat / LAT_PER_MM, (double)stats.up_lat / LAT_PER_MM,
-           (taken - start) / facets, (finished - taken) / facets, maps / facets,
-           (finished - taken) / (double)stats.runs);
+           (int)stats.strokes, ruler.down_lat / LAT_PER_MM, ruler.up_lat / LAT_PER_MM, (taken - start) / facets,
+           (finished - taken) / facets, maps / facets, (finished - taken) / (double)stats.runs);
     free(mem);
     surface_ink_free(&ink);
 }

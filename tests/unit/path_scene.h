@@ -3,6 +3,7 @@
 #define PATH_SCENE_H
 
 #include "path/path.h"
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -58,6 +59,18 @@ static inline void drawn_free(drawn_t *d) {
     free(d->p);
     free(d->down);
     memset(d, 0, sizeof *d);
+}
+
+/* Millimetres with the pen down, or up: from home to home. */
+static inline double drawn_mm(const drawn_t *d, bool down) {
+    double lat = 0;
+    page_point_t at = {0, 0};
+    for (int i = 0; i <= d->n; i++) {
+        const page_point_t to = i < d->n ? d->p[i] : (page_point_t){0, 0};
+        if ((i < d->n && d->down[i]) == down) lat += hypot((double)to.x_lat - at.x_lat, (double)to.y_lat - at.y_lat);
+        at = to;
+    }
+    return lat / LAT_PER_MM;
 }
 
 static inline uint32_t next_random(uint32_t *s) {

@@ -82,10 +82,11 @@ static void compare(const char *name, size_t bytes, int32_t us) {
     plotter_t all = {0}, m[3] = {{.mood = EAGER}, {.mood = LAZY}, {.mood = MOODY}};
     path_stats_t whole, s[3];
     assert_int_equal(draw(&all, bytes, 0, us, &whole), 0);
+    const double down_mm = drawn_mm(&all.drawn, true);
     for (int k = 0; k < 3; k++) {
         assert_int_equal(draw(&m[k], bytes, 64, us, &s[k]), 0);
         assert_true(same(&m[0].drawn, &m[k].drawn));
-        assert_true(llabs(s[k].down_lat - whole.down_lat) < whole.down_lat / 1000);
+        assert_true(fabs(drawn_mm(&m[k].drawn, true) - down_mm) < down_mm / 1000);
         assert_true(s[k].strokes <= whole.strokes + whole.strokes / 20 + 4);
         assert_true(m[k].rests > 0);
     }
@@ -94,7 +95,7 @@ static void compare(const char *name, size_t bytes, int32_t us) {
         "# feed: %s, %d bytes: first drawn after %d %% of the ink (else %d %%); %d strokes (else %d), %.0f mm pen-up "
         "(%.0f)\n",
         name, (int)bytes, 100 * m[0].before / ink.pieces, 100 * all.before / ink.pieces, (int)s[0].strokes,
-        (int)whole.strokes, (double)s[0].up_lat / LAT_PER_MM, (double)whole.up_lat / LAT_PER_MM);
+        (int)whole.strokes, drawn_mm(&m[0].drawn, false), drawn_mm(&all.drawn, false));
     for (int k = 0; k < 3; k++) drawn_free(&m[k].drawn);
     drawn_free(&all.drawn);
 }

@@ -45,10 +45,6 @@ static path_stats_t draw(size_t bytes, int32_t lines, int32_t effort, drawn_t *d
     return stats;
 }
 
-static double mm(int64_t lat) {
-    return (double)lat / LAT_PER_MM;
-}
-
 /* Every pool draws the same length; its strokes and travel are the price of its size. */
 static void print_table(const char *name, int32_t lines) {
     const int runs[] = {4, 16, 64, 256, 1024};
@@ -56,10 +52,10 @@ static void print_table(const char *name, int32_t lines) {
     for (int k = 4; k >= 0; k--) {
         drawn_t d = {0};
         path_stats_t s = draw(PATH_BYTES(runs[k], lines), lines, 1000, &d);
-        if (k == 4) whole = mm(s.down_lat);
-        assert_true(fabs(mm(s.down_lat) - whole) < 0.001 * whole);
+        if (k == 4) whole = drawn_mm(&d, true);
+        assert_true(fabs(drawn_mm(&d, true) - whole) < 0.001 * whole);
         print_message("# path: %s, pool of %4d runs (%5d bytes): %4d strokes, %5.0f mm pen-up\n", name, runs[k],
-                      (int)s.bytes, (int)s.strokes, mm(s.up_lat));
+                      (int)s.bytes, (int)s.strokes, drawn_mm(&d, false));
         drawn_free(&d);
     }
 }
@@ -85,14 +81,14 @@ static void sinc_reaches_the_reference(void **state) {
     assert_int_equal(surface_ink_make(&ink, 40, 10, sinc, false), 0);
     fit(260);
     path_stats_t s = draw(PATH_BYTES(1024, 1), 1, 1000, &d);
-    double between = mm(s.up_lat) - hypot(d.p[0].x_lat, d.p[0].y_lat) / LAT_PER_MM -
+    double between = drawn_mm(&d, false) - hypot(d.p[0].x_lat, d.p[0].y_lat) / LAT_PER_MM -
                      hypot(d.p[d.n - 1].x_lat, d.p[d.n - 1].y_lat) / LAT_PER_MM;
     print_message(
         "# path: sinc 40x40, 260 mm wide: %d strokes, %.0f mm drawn, %.0f mm pen-up (%.0f mm between strokes); "
         "gnuplot 1866 strokes, 79202 mm; best known post-processing 182, 547 mm\n",
-        (int)s.strokes, mm(s.down_lat), mm(s.up_lat), between);
+        (int)s.strokes, drawn_mm(&d, true), drawn_mm(&d, false), between);
     assert_true(s.strokes <= 182);
-    assert_true(mm(s.up_lat) <= 547);
+    assert_true(drawn_mm(&d, false) <= 547);
     drawn_free(&d);
     print_table("sinc 40x40", 1);
     surface_ink_free(&ink);
@@ -104,7 +100,7 @@ static void smooth_reaches_the_reference(void **state) {
     assert_int_equal(surface_ink_make(&ink, 60, 2, hill, true), 0);
     path_stats_t s = draw(PATH_BYTES(1024, 1), 1, 1000, &d);
     print_message("# path: smooth 60x60: %d strokes, %.0f mm drawn, %.0f mm pen-up; PLplot 11018 strokes, ln 150\n",
-                  (int)s.strokes, mm(s.down_lat), mm(s.up_lat));
+                  (int)s.strokes, drawn_mm(&d, true), drawn_mm(&d, false));
     assert_true(s.strokes <= 150);
     drawn_free(&d);
     print_table("smooth 60x60", 1);
