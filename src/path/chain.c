@@ -11,6 +11,9 @@
  * full would touch memory that nothing else needs. */
 #define ROOM_PART 8
 #define ROOM_MORE 1024
+#define NOBODY (-1) /* in a bucket */
+#define NOBODY_ASKS (-2)
+#define ASKED_CROWD 8   /* free ends to a bucket when few of them are asked for */
 #define FREE (-1)       /* in mate, until chain_close: not paired */
 #define ALONE (-2)      /* and nobody near */
 #define FETCH 12        /* ends that memory is asked for ahead */
@@ -29,6 +32,16 @@ static int32_t *bucket_of(const chain_t *c, page_point_t p) {
     return &c->head[bucket(c, p.x_lat >> c->shift, p.y_lat >> c->shift)];
 }
 
+/* The cells in which an end may be that is near p. */
+typedef struct cells {
+    int32_t x0, y0, x1, y1;
+} cells_t;
+
+static cells_t cells_near(const chain_t *c, page_point_t p) {
+    return (cells_t){(p.x_lat - c->near_lat) >> c->shift, (p.y_lat - c->near_lat) >> c->shift,
+                     (p.x_lat + c->near_lat) >> c->shift, (p.y_lat + c->near_lat) >> c->shift};
+}
+
 void chain_enter(chain_t *c, int32_t e, page_point_t p) {
     int32_t *head = bucket_of(c, p);
     c->point[e] = p;
@@ -37,24 +50,28 @@ void chain_enter(chain_t *c, int32_t e, page_point_t p) {
 }
 
 /* Empty buckets, one for each of so many ends. */
-static void make_buckets(chain_t *c, int32_t ends) {
+static void make_buckets(chain_t *c, int32_t ends, int32_t empty) {
     c->mask = 0;
     while ((int32_t)c->mask < ends && (int64_t)2 * c->mask + 2 <= 2 * (int64_t)c->room) c->mask = 2 * c->mask + 1;
-    for (uint32_t b = 0; b <= c->mask; b++) c->head[b] = -1;
+    for (uint32_t b = 0; b <= c->mask; b++) c->head[b] = empty;
 }
 
-/* Is the end e free, and within the box? */
-static bool is_free_in(const chain_t *c, int32_t e, const page_point_t *lo, const page_point_t *hi) {
-    if (c->pool->mate[e] >= 0) return false;
-    page_point_t p = c->point[e];
-    return p.x_lat >= lo->x_lat && p.x_lat <= hi->x_lat && p.y_lat >= lo->y_lat && p.y_lat <= hi->y_lat;
+void chain_ask_begin(chain_t *c, int32_t places) {
+    const int32_t some = c->free / ASKED_CROWD;
+    make_buckets(c, places > some ? places : some, NOBODY_ASKS);
 }
 
-void chain_enter_free(chain_t *c, page_point_t lo, page_point_t hi) {
+void chain_ask(chain_t *c, page_point_t p) {
+    const cells_t near = cells_near(c, p);
+    for (int32_t y = near.y0; y <= near.y1; y++) {
+        for (int32_t x = near.x0; x <= near.x1; x++) c->head[bucket(c, x, y)] = NOBODY;
+    }
+}
+
+void chain_ask_end(chain_t *c) {
     const int32_t ends = 2 * c->pool->n;
-    make_buckets(c, c->free);
     for (int32_t e = 0; e < ends; e++) {
-        if (is_free_in(c, e, &lo, &hi)) chain_enter(c, e, c->point[e]);
+        if (c->pool->mate[e] < 0 && *bucket_of(c, c->point[e]) != NOBODY_ASKS) chain_enter(c, e, c->point[e]);
     }
 }
 
@@ -107,7 +124,7 @@ static int32_t mark_alone(chain_t *c) {
 /* Enters the ends that may have a neighbour. */
 static void enter_all(chain_t *c) {
     const int32_t ends = 2 * c->pool->n;
-    make_buckets(c, mark_alone(c));
+    make_buckets(c, mark_alone(c), NOBODY);
     for (int32_t e = 0; e < ends; e++) {
         if (c->pool->mate[e] == FREE) chain_enter(c, e, c->point[e]);
     }
@@ -120,11 +137,10 @@ static bool is_near(const chain_t *c, page_point_t a, page_point_t b) {
 }
 
 int chain_free_ends(const chain_t *c, page_point_t p, int32_t *out, int max) {
-    int32_t x0 = (p.x_lat - c->near_lat) >> c->shift, x1 = (p.x_lat + c->near_lat) >> c->shift;
-    int32_t y0 = (p.y_lat - c->near_lat) >> c->shift, y1 = (p.y_lat + c->near_lat) >> c->shift;
+    const cells_t near = cells_near(c, p);
     int n = 0;
-    for (int32_t y = y0; y <= y1; y++) {
-        for (int32_t x = x0; x <= x1; x++) {
+    for (int32_t y = near.y0; y <= near.y1; y++) {
+        for (int32_t x = near.x0; x <= near.x1; x++) {
             int32_t *link = &c->head[bucket(c, x, y)];
             for (int left = SCAN_MAX; *link >= 0 && left > 0; left--) {
                 int32_t e = *link;

@@ -36,8 +36,11 @@ int32_t chain_close(chain_t *c);
 /* Free ends within near_lat of p: up to max of them into out. Returns how many. Ends met on the way that are no longer
  * free are forgotten. */
 int chain_free_ends(const chain_t *c, page_point_t p, int32_t *out, int max);
-/* Enters all free ends from lo to hi, and nothing else, for chain_free_ends to find. */
-void chain_enter_free(chain_t *c, page_point_t lo, page_point_t hi);
+/* Enters the free ends near the places asked for in between, and a few others, for chain_free_ends to find. A rough
+ * surface has few closed strokes, and hundreds of thousands of free ends that need not be entered. */
+void chain_ask_begin(chain_t *c, int32_t places);
+void chain_ask(chain_t *c, page_point_t p);
+void chain_ask_end(chain_t *c);
 /* Enters the end e, at p and not entered yet, for chain_free_ends to find. */
 void chain_enter(chain_t *c, int32_t e, page_point_t p);
 /* The point that follows e into its run, for directions; false if the map does not know it. */

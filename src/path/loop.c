@@ -1,6 +1,9 @@
 /* loop.c - walks every closed stroke once, looking for a free end to start it from. See loop.h. */
 #include "path/loop.h"
 
+#define PLACES_MAX (1 << 22)
+#define CELLS_PER_PLACE 8 /* so many buckets that most of those asked for are so rightly */
+
 /* A place on a closed stroke and the free end found there. */
 typedef struct meeting {
     int32_t start; /* the end from which the run is walked */
@@ -54,29 +57,26 @@ static void cut_at_end(chain_t *c, int32_t e) {
     chain_enter(c, f, c->point[f]);
 }
 
-/* The box in which a free end may be near a closed stroke; false if there is no closed stroke. A rough surface has few
- * of them, and hundreds of thousands of free ends that need not be entered. */
-static bool find_box(const chain_t *c, page_point_t *lo, page_point_t *hi) {
+bool loop_find(chain_t *c) {
     const pool_t *pool = c->pool;
-    bool any = false;
-    *lo = (page_point_t){INT32_MAX / 2, INT32_MAX / 2};
-    *hi = (page_point_t){INT32_MIN / 2, INT32_MIN / 2};
+    int32_t places = 0;
+    for (int32_t k = 0; k < pool->n; k++) {
+        const run_t *r = &pool->run[k];
+        if (!(r->to_hi & RUN_SEEN) && places < PLACES_MAX)
+            places += (int32_t)((run_t_of(r, 1) - run_t_of(r, 0)) >> ink_bits(run_family(r))) + 2;
+    }
+    if (places == 0) return false;
+    chain_ask_begin(c, places * CELLS_PER_PLACE);
     for (int32_t k = 0; k < pool->n; k++) {
         const run_t *r = &pool->run[k];
         if (r->to_hi & RUN_SEEN) continue;
-        any = true;
         for (int64_t t = run_t_of(r, 0), end = run_t_of(r, 1); t <= end; t = after(r, t, end)) {
             page_point_t p;
-            if (!point_of(c, r, t, &p)) continue;
-            if (p.x_lat < lo->x_lat) lo->x_lat = p.x_lat;
-            if (p.y_lat < lo->y_lat) lo->y_lat = p.y_lat;
-            if (p.x_lat > hi->x_lat) hi->x_lat = p.x_lat;
-            if (p.y_lat > hi->y_lat) hi->y_lat = p.y_lat;
+            if (point_of(c, r, t, &p)) chain_ask(c, p);
         }
     }
-    *lo = (page_point_t){lo->x_lat - c->near_lat, lo->y_lat - c->near_lat};
-    *hi = (page_point_t){hi->x_lat + c->near_lat, hi->y_lat + c->near_lat};
-    return any;
+    chain_ask_end(c);
+    return true;
 }
 
 /* Cuts the run in two at t and opens the stroke there. The first part keeps the number. Returns the free end of the
@@ -118,13 +118,6 @@ static __attribute__((noinline)) int32_t open_at(chain_t *c, int32_t r, bool fou
     p->mate[m->free_end] = far_of_loop;
     set_far_ends(p, e, far_of_other);
     return 0;
-}
-
-bool loop_find(chain_t *c) {
-    page_point_t lo, hi;
-    if (!find_box(c, &lo, &hi)) return false;
-    chain_enter_free(c, lo, hi);
-    return true;
 }
 
 int32_t loop_open(chain_t *c) {
