@@ -18,10 +18,22 @@
 #define ALONE (-2)      /* and nobody near */
 #define FETCH 12        /* ends that memory is asked for ahead */
 #define FETCH_CENSUS 24 /* and for the census */
+#define BUCKETS 4       /* for each end, if there is memory: most of them stay empty */
+#define FEW_RUNS 1024   /* with so many those ends are listed that may have a neighbour, if there is memory */
+#define AGAIN 2         /* the second census has so many tiles more */
 #define STRAIGHT (1 << 29)
 #define UNIT_BITS 13 /* of direction vectors */
 _Static_assert((POOL_RUNS_MIN + 1) * 4 * sizeof(int32_t) >= CENSUS_BYTES_MIN, "the census lies over links and buckets");
 _Static_assert(POOL_WORK_PER_RUN >= 2 * sizeof(page_point_t) + 4 * sizeof(int32_t), "points, next, head");
+
+static inline int32_t *few_of(const chain_t *c) {
+#if CONFIG_FETCH
+    return c->few;
+#else
+    (void)c;
+    return 0;
+#endif
+}
 
 static uint32_t bucket(const chain_t *c, int32_t cx, int32_t cy) {
     /* neighbours in x stay neighbours in memory: runs arrive in an order that has locality, and caches like it */
@@ -83,6 +95,11 @@ int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near
     c->point = (page_point_t *)(void *)pool->work;
     c->next = (int32_t *)(void *)(c->point + 2 * c->room);
     c->head = c->next + 2 * c->room;
+#if CONFIG_FETCH
+    const int64_t used = 8 * (int64_t)c->room + 2 * (int64_t)pool->n;
+    if (pool->n >= FEW_RUNS && used <= ((int64_t)pool->cap + 1) * (POOL_WORK_PER_RUN / 4))
+        c->few = c->head + 2 * c->room;
+#endif
     while (near_lat << CELL_BITS > 1 << c->shift) c->shift++;
     for (int32_t r = 0; r < pool->n; r++) {
         page_point_t *p = &c->point[2 * r];
@@ -93,6 +110,11 @@ int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near
         }
     }
     return lost;
+}
+
+/* The end in place k, of all or of those that may have a neighbour. */
+static inline int32_t end_of(const chain_t *c, int32_t k) {
+    return few_of(c) ? few_of(c)[k] : k;
 }
 
 static inline void fetch_census(const chain_t *c, const census_t *census, int32_t e) {
@@ -116,18 +138,40 @@ static int32_t mark_alone(chain_t *c) {
         const bool alone = census_is_alone(&census, c->point[e], c->near_lat);
         pool->mate[e] = alone ? ALONE : FREE;
         pool->run[e >> 1].to_hi &= ~RUN_SEEN;
+        if (few_of(c)) few_of(c)[left] = e;
         left += !alone;
     }
     return left;
 }
 
-/* Enters the ends that may have a neighbour. */
-static void enter_all(chain_t *c) {
-    const int32_t ends = 2 * c->pool->n;
-    make_buckets(c, mark_alone(c), NOBODY);
-    for (int32_t e = 0; e < ends; e++) {
+/* Most of a rough surface's ends that are left have somebody near in the tiles only that share the bytes of theirs:
+ * where they are fewer, fewer tiles do. Returns how many are FREE. */
+static int32_t mark_again(chain_t *c, int32_t n) {
+    int32_t left = 0;
+    census_t census;
+    census_init(&census, (uint32_t *)c->next, sizeof *c->next * 4 * (size_t)c->room, n * AGAIN,
+                c->shift - CENSUS_FINER);
+    for (int32_t k = 0; k < n; k++) census_enter(&census, c->point[few_of(c)[k]]);
+    for (int32_t k = 0; k < n; k++) {
+        const int32_t e = few_of(c)[k];
+        const bool alone = census_is_alone(&census, c->point[e], c->near_lat);
+        c->pool->mate[e] = alone ? ALONE : FREE;
+        few_of(c)[left] = e;
+        left += !alone;
+    }
+    return left;
+}
+
+/* Enters the ends that may have a neighbour. Returns in how many places they are (end_of). */
+static int32_t enter_all(chain_t *c) {
+    int32_t left = mark_alone(c), ends = 2 * c->pool->n;
+    if (few_of(c)) ends = left = mark_again(c, left);
+    make_buckets(c, few_of(c) ? left * BUCKETS : left, NOBODY);
+    for (int32_t k = 0; k < ends; k++) {
+        const int32_t e = end_of(c, k);
         if (c->pool->mate[e] == FREE) chain_enter(c, e, c->point[e]);
     }
+    return ends;
 }
 
 static bool is_near(const chain_t *c, page_point_t a, page_point_t b) {
@@ -248,12 +292,13 @@ static void pair_here(chain_t *c, int32_t *cluster, int n) {
 
 /* Asks the cache for what chain_free_ends will read: the bucket of an end that comes later, and the first that is in
  * the bucket of one that comes sooner. */
-static void fetch_ahead(const chain_t *c, int32_t e) {
-    const int32_t *mate = c->pool->mate, ends = 2 * c->pool->n;
-    if (e + 2 * FETCH >= ends) return;
-    if (mate[e + 2 * FETCH] == FREE) __builtin_prefetch(bucket_of(c, c->point[e + 2 * FETCH]));
-    if (mate[e + FETCH] != FREE) return;
-    int32_t first = *bucket_of(c, c->point[e + FETCH]);
+static void fetch_ahead(const chain_t *c, int32_t k, int32_t ends) {
+    const int32_t *mate = c->pool->mate;
+    if (k + 2 * FETCH >= ends) return;
+    const int32_t later = end_of(c, k + 2 * FETCH), sooner = end_of(c, k + FETCH);
+    if (mate[later] == FREE) __builtin_prefetch(bucket_of(c, c->point[later]));
+    if (mate[sooner] != FREE) return;
+    int32_t first = *bucket_of(c, c->point[sooner]);
     if (first < 0) return;
     __builtin_prefetch(&c->point[first]);
     __builtin_prefetch(&c->next[first]);
@@ -261,11 +306,12 @@ static void fetch_ahead(const chain_t *c, int32_t e) {
 }
 
 void chain_pair(chain_t *c) {
-    enter_all(c);
-    for (int32_t e = 0; e < 2 * c->pool->n; e++) {
+    const int32_t ends = enter_all(c);
+    for (int32_t p = 0; p < ends; p++) {
+        const int32_t e = end_of(c, p);
         int32_t cluster[CLUSTER_MAX];
-        if (e % 16 == 0) pool_tick(c->pool);
-        fetch_ahead(c, e);
+        if (p % 16 == 0) pool_tick(c->pool);
+        fetch_ahead(c, p, ends);
         if (c->pool->mate[e] != FREE) continue;
         int n = chain_free_ends(c, c->point[e], cluster, CLUSTER_MAX), k = 0;
         while (k < n && cluster[k] != e) k++;

@@ -22,6 +22,9 @@ typedef struct chain {
     int32_t *head;       /* buckets */
     uint32_t mask;       /* buckets - 1 */
     int shift;           /* page cells are 2^shift lat wide */
+#if CONFIG_FETCH
+    int32_t *few; /* ends that may have a neighbour, while they are paired; or NULL */
+#endif
 } chain_t;
 
 /* Finds the page points of all ends, and changes nothing else: runs keep their order of arrival. But those that the map
