@@ -11,7 +11,6 @@
 #include "num/num_fast.h"
 #include "num/words.h"
 
-#define GRID_HOLE INT32_MIN
 #define Z_BITS 30 /* |zi| <= 2^30: sums and differences of two heights fit int32_t */
 #define Z_LIMIT ((int32_t)1 << Z_BITS)
 

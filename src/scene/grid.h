@@ -14,6 +14,8 @@
 
 #define GRID_SIDE_MAX 65536 /* points along one side */
 
+#define GRID_HOLE INT32_MIN /* in grid_t.cache */
+
 typedef struct grid {
     const surface_t *src;
     int32_t nx, ny;

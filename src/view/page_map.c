@@ -1,6 +1,7 @@
 /* page_map.c - see page_map.h. */
 #include "view/page_map.h"
 
+#include "config.h"
 #include "error.h"
 #include "hidden/ink.h"
 
@@ -77,7 +78,14 @@ static __attribute__((noinline)) bool tall_vertex_h(page_map_t *m, int32_t i, in
     return true;
 }
 
-static __attribute__((noinline)) void vertex_at(const page_map_t *m, int32_t i, int32_t j, int32_t zi, page_h_t *h) {
+/* Little is on the stack while heights are evaluated, where it is short. */
+#if CONFIG_FETCH
+#define APART inline
+#else
+#define APART __attribute__((noinline))
+#endif
+
+static APART void vertex_at(const page_map_t *m, int32_t i, int32_t j, int32_t zi, page_h_t *h) {
     page_h_t b = base_h(m, i, j);
     h->x = b.x + height_share(m, 0, zi);
     h->y = b.y + height_share(m, 1, zi);
@@ -87,7 +95,12 @@ static __attribute__((noinline)) void vertex_at(const page_map_t *m, int32_t i, 
 static inline bool vertex_h(page_map_t *m, int32_t i, int32_t j, page_h_t *h) {
     int32_t zi;
     if (m->tall) return tall_vertex_h(m, i, j, h);
-    if (!grid_height(m->grid, i, j, &zi)) return false;
+    if (CONFIG_FETCH && m->grid->cache) {
+        zi = m->grid->cache[(int64_t)j * m->grid->nx + i];
+        if (zi == GRID_HOLE) return false;
+    } else if (!grid_height(m->grid, i, j, &zi)) {
+        return false;
+    }
     vertex_at(m, i, j, zi, h);
     return true;
 }
