@@ -115,7 +115,7 @@ static inline bool envelope_same(pencil_t p, pencil_t q) {
     return p.a == q.a && p.w == q.w;
 }
 
-#define ENVELOPE_NEAR 16 /* vertices: the gap goes farther by leaps */
+#define ENVELOPE_NEAR 64 /* vertices, a power of two: the gap goes farther by leaps */
 
 /* Moves the gap farther than that, as envelope_seek does. */
 void envelope_leap(envelope_t *h, int32_t a);
@@ -151,12 +151,11 @@ static inline bool envelope_hides(envelope_t *h, int32_t a0, int32_t a1, int32_t
     return false;
 }
 
-/* How low h is from abscissa a0 to a1, or lower: the least of its vertices there and of those on either side. */
-static inline int32_t envelope_lowest(envelope_t *h, int32_t a0, int32_t a1) {
+static inline int32_t envelope_lowest(envelope_t *h, int32_t a0, int32_t a1, int32_t top) {
     envelope_seek(h, a0);
     const pencil_t *p = h->r;
     int32_t least = pencil_min(h->l[-1].w, p->w);
-    while (p->a < a1) least = pencil_min(least, (++p)->w);
+    while (p->a < a1 && least >= top) least = pencil_min(least, (++p)->w);
     return least;
 }
 

@@ -31,9 +31,10 @@ void horizons_lend(horizons_t *h, int16_t *mem, int bits);
 static inline bool horizons_know(envelope_t *h, lowest_t *l, int32_t a0, int32_t a1, int32_t top) {
     if (!CONFIG_LOWEST || l->w == NULL) return envelope_hides(h, a0, a1, top);
     if (lowest_hides(l, a0, a1, top)) return true;
-    const int32_t w = envelope_lowest(h, a0, a1);
+    const int32_t w = envelope_lowest(h, a0, a1, top);
+    if (w < top) return false;
     lowest_learn(l, a0, a1, w);
-    return w >= top;
+    return true;
 }
 static inline bool horizons_hide_below(horizons_t *h, int32_t a0, int32_t a1, int32_t top) {
     return horizons_know(&h->upper, &h->lowest_upper, a0, a1, top);
