@@ -68,6 +68,13 @@ static int draw(session_t *s) {
     return evaluation_error(s, n);
 }
 
+/* It was drawn, or at least begun. */
+static void plot_is_last(session_t *s) {
+    if (s->coming > 0) memmove(s->last, s->last + s->coming, strlen(s->last + s->coming) + 1);
+    s->coming = -1;
+    s->last_len = strlen(s->last);
+}
+
 /* Goes on with source[next]; returns 0 when the plot is drawn or waits for inline data. */
 static int go_on(session_t *s) {
     while (s->plot.next < s->plot.sources) {
@@ -96,10 +103,20 @@ static int go_on(session_t *s) {
 #if CONFIG_CONTROL
     plot_iteration_end(s);
 #endif
+    if (!err || err == ERR_STOPPED || err == ERR_MACHINE) plot_is_last(s);
     if (err) return err;
-    s->last_len = strlen(s->last);
     s->in_last = false;
     return 0;
+}
+
+void plot_forget_coming(session_t *s) {
+    if (s->coming < 0) return;
+    s->plot.valid = 0;
+    if (s->coming == 0) {
+        s->last[0] = '\0';
+        s->last_len = 0;
+    }
+    s->coming = -1;
 }
 
 static int start(session_t *s, int32_t kept) {
@@ -118,10 +135,10 @@ int plot_command(session_t *s, lexer_t *lx, enum plot_kind kind, uint32_t from) 
     s->in_last = false;
     int err = plot_parse(s, lx, kind);
     if (err) return err;
-    size_t len = lx->tok.start - from;
-    memcpy(s->last, lx->text + from, len);
-    s->last[len] = '\0';
-    s->last_len = len;
+    const size_t len = lx->tok.start - from, behind = strlen(s->last) + 1;
+    s->coming = behind > 1 && behind + len < sizeof s->last ? (int32_t)behind : 0;
+    memcpy(s->last + s->coming, lx->text + from, len);
+    s->last[(size_t)s->coming + len] = '\0';
     return start(s, 0);
 }
 

@@ -34,6 +34,7 @@ void session_init(session_t *s, const session_port_t *port, void *pool, size_t p
     s->pool_size = s->pool.high = pool ? pool_bytes / sizeof(packed_t) : 0;
     s->frames = 1;
     s->frame[0].handle = -1;
+    s->coming = -1;
     session_forget_line(&s->frame[0]);
     session_forget_names(s);
     set_reset(s);
@@ -63,6 +64,7 @@ void session_cancel(session_t *s) {
     while (s->frames > 1) pop(s);
     session_forget_line(&s->frame[0]);
     if (s->in_last) s->last[s->last_len] = '\0'; /* what replot added is wrong */
+    plot_forget_coming(s);
     s->plot.waiting = false;
 #if CONFIG_CONTROL
     plot_iteration_end(s);

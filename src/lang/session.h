@@ -190,8 +190,11 @@ typedef struct session {
     session_frame_t frame[1 + CONFIG_LOAD_DEPTH];
     char frame_name[CONFIG_LOAD_DEPTH + 1][CONFIG_NAME_MAX + 1]; /* [0] is used for prompts and data files */
     session_chunk_t frame_chunk[CONFIG_LOAD_DEPTH + 1];          /* [0] is used for data files */
-    char last[CONFIG_LINE_MAX + 1];                              /* the last plot command, for replot */
+    /* The last plot command that was drawn, for replot; behind it the one that is being carried out, in its place if
+     * there is no room. */
+    char last[CONFIG_LINE_MAX + 1];
     size_t last_len; /* of it that is known to be right: replot may have added the rest */
+    int32_t coming;  /* where the one being carried out begins, or -1 */
     /* The plot command being carried out. */
     struct {
         enum plot_kind kind;

@@ -185,6 +185,7 @@ int plot_items(session_t *s);
 int plot_fail(session_t *s, const session_source_t *src, int code, const char *message); /* at src's column */
 int plot_command(session_t *s, lexer_t *lx, enum plot_kind kind, uint32_t from);         /* where its line begins */
 int plot_replot(session_t *s, lexer_t *lx);
+void plot_forget_coming(session_t *s); /* it was not drawn: the one before stays the last */
 /* Inline data, any number of characters. *stopped: the line `e` was among them, and the plot went on or is done. */
 int plot_feed(session_t *s, const char *text, size_t n, bool *stopped);
 /* The end of the text in place of a line `e`. */

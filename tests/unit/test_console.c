@@ -78,7 +78,10 @@ static void test_several_on_a_line(void **state) {
     HEARD("not a number");
     assert_false(fix.pins & HAL_PEN);
     fix_forget();
-    fix_say(SMALL "save\rsplot x*y; save; print 6\r", 200 * SECOND);
+    fix_say(SMALL "save\r", SECOND);
+    HEARD("There is no plot to save yet."); /* what was refused is none */
+    fix_say("splot '-'\r0 0 0\r1 0 1\r\r0 1 1\r1 1 0\re\r", 100 * SECOND);
+    fix_say("save\rsplot x*y; save; print 6\r", 200 * SECOND);
     HEARD("A scene with inline data cannot be saved.");
     HEARD("saved\r\n6\r\n> ");
     fix_forget();

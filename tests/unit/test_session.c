@@ -229,6 +229,27 @@ static void files_are_loaded_inside_lines(void **state) {
     assert_int_equal(session_state(&f->session), SESSION_QUIT);
 }
 
+/* As gnuplot: what could not be drawn is not drawn again; what was before it is. */
+static void replot_forgets_what_failed(void **state) {
+    fixture_t *f = *state;
+    assert_int_equal(fixture_feed(f, "splot x*y"), 0);
+    assert_int_equal(fixture_feed(f, "splot '-'\n1 2 zero"), ERR_DATA);
+    assert_int_equal(fixture_feed(f, "show plot"), 0);
+    assert_non_null(strstr(f->out, "splot x*y"));
+    assert_int_equal(fixture_feed(f, "splot 1/0"), 0); /* what the port draws counts */
+    f->plot_result = ERR_FULL;
+    assert_int_equal(fixture_feed(f, "splot x"), ERR_FULL);
+    f->plot_result = 0;
+    assert_int_equal(fixture_feed(f, "show plot"), 0);
+    assert_non_null(strstr(f->out, "splot 1/0"));
+    assert_int_equal(fixture_feed(f, "replot"), 0);
+    f->plot_result = ERR_STOPPED; /* a drawing that was stopped is drawn again */
+    assert_int_equal(fixture_feed(f, "splot y"), ERR_STOPPED);
+    f->plot_result = 0;
+    assert_int_equal(fixture_feed(f, "show plot"), 0);
+    assert_non_null(strstr(f->out, "splot y"));
+}
+
 static void replot_repeats_and_adds(void **state) {
     fixture_t *f = *state;
     assert_int_equal(fixture_feed(f, "a=1; splot a*x"), 0);
@@ -293,6 +314,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(noise_is_a_function_of_the_place, setup, teardown),
         cmocka_unit_test_setup_teardown(files_are_loaded_inside_lines, setup, teardown),
         cmocka_unit_test_setup_teardown(replot_repeats_and_adds, setup, teardown),
+        cmocka_unit_test_setup_teardown(replot_forgets_what_failed, setup, teardown),
         cmocka_unit_test_setup_teardown(hidden_dem_runs_to_its_end, setup, teardown),
         cmocka_unit_test_setup_teardown(long_lines_are_refused, setup, teardown),
     };
