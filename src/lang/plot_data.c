@@ -57,6 +57,7 @@ static int start_solid(session_t *s, session_source_t *src, bool inline_data, in
 }
 
 int plot_data_start(session_t *s, session_source_t *src, bool inline_data, int32_t first_line) {
+    s->rows_bytes = 0;
 #if CONFIG_PARAMETRIC
     src->curved = false;
 #endif
@@ -98,10 +99,10 @@ int plot_data_feed(session_t *s, const char *text, size_t n, bool *stopped) {
 static int trouble(session_t *s, const session_source_t *src, int err, enum data_grid_trouble why, int32_t line,
                    int32_t at) {
     if (why == DATA_OK) return plot_fail(s, src, err, err == ERR_EMPTY ? "no data" : error_text(err));
-    if (why == DATA_FULL)
-        lang_error_set_number(&s->error, err, at, "more data than the memory for it holds; most bytes",
-                              (int32_t)(s->pool_size * sizeof(packed_t)));
-    else
+    if (why == DATA_FULL) {
+        s->rows_bytes = (int32_t)(s->pool_size * sizeof(packed_t));
+        lang_error_set_number(&s->error, err, at, "more data than the memory for it holds; most bytes", s->rows_bytes);
+    } else
         lang_error_set(&s->error, err, at, data_grid_text(why));
     s->error.line = line;
     return err;

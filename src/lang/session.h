@@ -161,7 +161,8 @@ typedef struct session {
     bool in_block;                 /* lines are those of a data block */
     char block[32], block_end[32]; /* its name; the line that ends it */
 #endif
-    bool rows_left; /* the inline data were refused, and rows of them are still coming */
+    bool rows_left;     /* the inline data were refused, and rows of them are still coming */
+    int32_t rows_bytes; /* of memory that they take all together, if that was why; or 0 */
     bool quit;
 #if CONFIG_CONTROL
     int32_t turns; /* of loops, since the last line came in */

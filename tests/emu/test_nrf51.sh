@@ -10,6 +10,9 @@ scene holes 2
 scene halo_ends 2
 scene cubes_many 2
 says 'The scene does not fit: it may need [0-9]* bytes of memory, N are free. Nothing was drawn.'
+scene data_many -
+says 'the rows alone take 5[0-9]* bytes of memory, N are free'
+says 'nothing was plotted yet'
 scene halo_many 2
 says '18 lines with [0-9]+ crossings may need [0-9]+ bytes of memory, N are free. Nothing was drawn.'
 scene accel 2
