@@ -24,6 +24,15 @@ expect_text() {
     done
 }
 
+# expect_mistakes: lines `SCRIPT@text of the message` on standard input; each script is refused so, within some seconds.
+expect_mistakes() {
+    while IFS='@' read -r wrong reason; do
+        echo "$wrong" >mistake.gp
+        expect_status 2 timeout 20 "$RIDGELINE" plot mistake.gp 2>err
+        expect_text err "$reason"
+    done
+}
+
 # A scene that takes no time.
 small_scene() { printf 'set isosamples 8\nsplot x*y\n' >small.gp; }
 

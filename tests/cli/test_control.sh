@@ -80,11 +80,7 @@ errors_name_the_line_of_the_block() {
     printf 'load "a.gp"\n' >b.gp
     expect_status 2 ours b.gp 2>err
     expect_text err 'a { is not closed'
-    while IFS='@' read -r wrong reason; do
-        echo "$wrong" >a.gp
-        expect_status 2 ours a.gp 2>err
-        expect_text err "$reason"
-    done <<'END'
+    expect_mistakes <<'END'
 break@this stands in no loop
 if (1) { break }@this stands in no loop
 }@no block is open

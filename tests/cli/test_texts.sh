@@ -63,11 +63,7 @@ base = "d"' ]
 }
 
 mistakes_are_answered() {
-    while IFS='@' read -r wrong reason; do
-        echo "$wrong" >a.gp
-        expect_status 2 ours a.gp 2>err
-        expect_text err "$reason"
-    done <<'END'
+    expect_mistakes <<'END'
 print "a".nobody@column 11: undefined variable: nobody
 print "a".@column 11: a text expected
 a = "x"; print sprintf("%d")@a value for each % of the format expected
