@@ -97,7 +97,21 @@ beside=$!
     echo 'A step is 0.0125 mm on A4. Errors are told by `tests/oracle/judge.h`, against an exact reference: ink is missing'
     echo 'where a line is visible, also when moved by one step, and not drawn; false where it is drawn and hidden, also then.'
     echo 'Every table is there as `.tsv`, too.'
-    echo
+    cat <<'END'
+
+What Ridgeline's arithmetic is worth: how far its drawings are from exact ones, and what that costs.
+
+- [What is shipped, and why](#what-is-shipped-and-why), kernel by kernel, with plots of error against time: the summary of all that follows.
+- What is varied: [bits of the lattice](#bits-of-the-lattice), those [of solids, haloes and polygons](#bits-of-the-lattices-of-solids-haloes-and-polygons),
+  [sizes](#sizes-as-shipped), [tolerances of horizons](#simpler-horizons), [formats of expressions](#formats-of-expressions);
+  [on the boards](#boards-what-a-facet-costs), with every row [there](boards.md).
+- [Hard surfaces](hard.md) and [hard solids and haloes](hard-solids.md), each with its picture, its error, and a naive drawing beside it;
+  what is not exact and with what bound is [here](#hard-cases) and [here](#hard-cases-of-solids-and-haloes).
+- [Only what a scene needs](#only-what-a-scene-needs): memory and operations beside those of a method that models everything.
+- The papers' experiments: [Anderson](#andersons-table-1-and-figure-11) and [his open question](#his-open-question),
+  [Greenspun and Little](#greenspun-and-littles-horizon), [Weiler and Atherton](#how-the-work-of-the-area-sort-grows).
+
+END
     "$bin/report_error" "$out"
     "$bin/report_simplify" "$out"
     costs

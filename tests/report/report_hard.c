@@ -215,7 +215,10 @@ int main(int argc, char **argv) {
         "lines "
         "cross on the page at less than 10^-5, as cliffs of 10^6 close to the eye do, the crossing may move along "
         "them, "
-        "so a gap thinner than 10^-4 steps may close or open. An eye nearer to the surface than 25 millionths of the "
+        "so a gap thinner than 10^-4 steps may close or open, and an end be off by a step, as with grid lines in "
+        "clusters of "
+        "10^-4 of the other cells, or holes among cliffs of 1,000 times their width (once in some thousand scenes). An "
+        "eye nearer to the surface than 25 millionths of the "
         "scene's width is drawn for, but what it sees is not promised: `test_extreme_random` keeps that far "
         "off.\n\n![a sheet](hard-1.png)\n",
         count, NAIVE_COLUMNS, steps(all.ours.missing_mm), steps(all.ours.false_mm), all.ours.end_steps, all.naive_wrong,

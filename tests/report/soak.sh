@@ -11,7 +11,8 @@ round=${ROUND:-1}
 scenes=0
 log=$(mktemp)
 repeat=$(mktemp)
-trap 'rm -f "$log" "$repeat"' EXIT INT TERM
+trap 'rm -f "$log" "$repeat"' EXIT
+trap 'exit 1' INT TERM
 while [ "$(date +%s)" -lt "$end" ]; do
     for t in "$@"; do
         left=$((end - $(date +%s)))
