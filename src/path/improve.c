@@ -15,7 +15,7 @@
 
 #define SEGMENT_MAX 3     /* strokes moved by Or-opt */
 #define REVERSAL_MAX 1000 /* longer reversals are not worth their cost; strokes in the shorter side */
-#define STRETCH_MAX 20    /* strokes in each of the two stretches that a kick exchanges */
+#define STRETCH_MAX 8     /* strokes in each of the two stretches that a kick exchanges */
 #define TODO_MAX 64       /* strokes to look at again after a kick */
 #define JOURNAL_MAX 64
 #define CROWD 2 /* items to a cell: so many that the cells around hold the neighbours worth trying */

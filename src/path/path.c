@@ -23,7 +23,7 @@
 void path_default(path_config_t *c, uint32_t steps_per_mm_q16) {
     uint64_t step_q16 = steps_per_mm_q16 ? ((uint64_t)LAT_PER_MM << 32) / steps_per_mm_q16 : (uint64_t)LAT_PER_MM << 16;
     uint64_t step = (step_q16 + (1 << 15)) >> 16;
-    *c = (path_config_t){.effort = 1000, .effort_max = 1 << 18};
+    *c = (path_config_t){.effort = 500, .effort_max = 1 << 18};
     c->step_lat = step < PATH_STEP_MIN ? PATH_STEP_MIN : step > PATH_STEP_MAX ? PATH_STEP_MAX : (int32_t)step;
 }
 

@@ -40,8 +40,8 @@ typedef struct path_config {
                          step are joined, vertices within an eighth are merged, strokes shorter than one are dropped */
     int32_t lines;    /* lines that grow at the same time: the grid's columns, or its profiles. Fewer is allowed, see
                          join.h; 0 means 1 */
-    int32_t effort; /* improvement operations per stroke (tour.h); 1000 is within 3 % of ten times as many, 0 leaves the
-                       greedy order. An operation is some 25 ns on a desktop */
+    int32_t effort; /* improvement operations per stroke (tour.h); 500 is within 5 % of ten times as many, 0 leaves the
+                       greedy order. An operation is some 6 ns on a desktop */
     int32_t effort_max; /* and in all, each time strokes are ordered; 2^18. A thousand strokes would gain 2 % from four
                            times as many; beyond some 10,000 lifting the pen takes hours, and what travel could still be
                            saved, minutes */

@@ -51,7 +51,7 @@ static void print_table(const char *name, int32_t lines) {
     double whole = 0;
     for (int k = 4; k >= 0; k--) {
         drawn_t d = {0};
-        path_stats_t s = draw(PATH_BYTES(runs[k], lines), lines, 1000, &d);
+        path_stats_t s = draw(PATH_BYTES(runs[k], lines), lines, 500, &d);
         if (k == 4) whole = drawn_mm(&d, true);
         assert_true(fabs(drawn_mm(&d, true) - whole) < 0.001 * whole);
         print_message("# path: %s, pool of %4d runs (%5d bytes): %4d strokes, %5.0f mm pen-up\n", name, runs[k],
@@ -80,7 +80,7 @@ static void sinc_reaches_the_reference(void **state) {
     (void)state;
     assert_int_equal(surface_ink_make(&ink, 40, 10, sinc, false), 0);
     fit(260);
-    path_stats_t s = draw(PATH_BYTES(1024, 1), 1, 1000, &d);
+    path_stats_t s = draw(PATH_BYTES(1024, 1), 1, 500, &d);
     double between = drawn_mm(&d, false) - hypot(d.p[0].x_lat, d.p[0].y_lat) / LAT_PER_MM -
                      hypot(d.p[d.n - 1].x_lat, d.p[d.n - 1].y_lat) / LAT_PER_MM;
     print_message(
@@ -98,7 +98,7 @@ static void smooth_reaches_the_reference(void **state) {
     drawn_t d = {0};
     (void)state;
     assert_int_equal(surface_ink_make(&ink, 60, 2, hill, true), 0);
-    path_stats_t s = draw(PATH_BYTES(1024, 1), 1, 1000, &d);
+    path_stats_t s = draw(PATH_BYTES(1024, 1), 1, 500, &d);
     print_message("# path: smooth 60x60: %d strokes, %.0f mm drawn, %.0f mm pen-up; PLplot 11018 strokes, ln 150\n",
                   (int)s.strokes, drawn_mm(&d, true), drawn_mm(&d, false));
     assert_true(s.strokes <= 150);
