@@ -1,4 +1,5 @@
 /* area.c - see area.h: what goes where in the memory, and the whole of the sort. */
+#include "hidden/area_body.h"
 #include "hidden/area_sort.h"
 #include "hidden/area_wires.h"
 
@@ -8,6 +9,8 @@
  * the rest one for the clipper, and the other for what the pieces consist of: some 64 bytes each. */
 #define PIECES_SHARE 4
 #define CLIP_SHARE 3
+/* Consolidation may take such a part of it. */
+#define BODIES_SHARE 8
 
 typedef struct bump {
     uint8_t *at;
@@ -29,11 +32,25 @@ static int32_t most_corners(const solid_t *s) {
     return most;
 }
 
+/* Makes bodies of faces, if that takes no more than a small part of what is left. */
+static void consolidate(area_t *a, bump_t *b) {
+    const solid_t *s = a->faces.lattice.m->solid;
+    const size_t vertices = (size_t)area_bodies_vertices(&a->faces) * sizeof(poly_vertex_t);
+    if (vertices + area_bodies_bytes(s) > b->left / BODIES_SHARE) {
+        for (int32_t k = 0; k < a->faces.n; k++) a->faces.face[k].part = false;
+        return;
+    }
+    take(b, vertices); /* after the others */
+    void *mem = take(b, area_bodies_bytes(s));
+    area_bodies_make(&a->faces, mem, b->at, b->left);
+}
+
 /* The faces first, then what they leave to pieces, clipper and pool. */
 static int lay_out(area_t *a, const solid_map_t *m, void *mem, size_t bytes) {
     const solid_t *s = m->solid;
     bump_t b = {mem, bytes};
-    size_t most = (size_t)area_faces_most(m) + 1;
+    const int32_t bodies = a->sink->one_by_one ? 0 : area_bodies_most(m);
+    size_t most = (size_t)area_faces_most(m) + 1 + (size_t)bodies;
     a->faces.face = take(&b, most * sizeof(area_face_t));
     a->stack = take(&b, most * sizeof *a->stack);
     a->state = take(&b, (size_t)s->nf);
@@ -51,6 +68,7 @@ static int lay_out(area_t *a, const solid_map_t *m, void *mem, size_t bytes) {
     a->stats->polygons = a->faces.n;
     b = before;
     take(&b, (size_t)a->faces.vertices * sizeof(poly_vertex_t));
+    if (bodies > 0) consolidate(a, &b);
     a->fixed = bytes - b.left;
     int32_t pieces = (int32_t)(b.left / PIECES_SHARE / sizeof(area_piece_t));
     area_piece_t *piece = take(&b, (size_t)pieces * sizeof *piece);

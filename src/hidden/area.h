@@ -59,6 +59,7 @@ typedef struct area_sink {
     void (*again)(void *ctx, int32_t edge);
     int32_t window_faces; /* most polygons in a window of the screen subdivision; 0: what was found to be best;
                              INT32_MAX: one window, with as many pieces as the memory takes */
+    bool one_by_one;      /* without consolidation (area_body.h): to compare */
 } area_sink_t;
 
 /* Memory for a scene of so many faces with so many corners: in one window unless it is cut up very much. */

@@ -216,7 +216,7 @@ int area_faces_make(area_faces_t *faces, int32_t *corner_edge, uint8_t *state, a
     const solid_map_t *m = l->m;
     const solid_t *s = m->solid;
     find_edges(s, corner_edge);
-    faces->n = faces->vertices = 0;
+    faces->n = faces->parts = faces->vertices = 0;
     for (int32_t k = 0; k < s->nf; k++) {
         area_face_t *f = &faces->face[faces->n];
         poly_vertex_t *v = faces->vertex + faces->vertices;
@@ -227,7 +227,11 @@ int area_faces_make(area_faces_t *faces, int32_t *corner_edge, uint8_t *state, a
         if (through) continue;
         int32_t n = area_face_place(l, &s->face[k], corner_edge, v, scratch, AREA_CORNERS(l->clips, most));
         if (n < 0) return n;
-        *f = (area_face_t){.face = k, .first = faces->vertices, .n = n, .holed = has_holes(s, &s->face[k])};
+        *f = (area_face_t){.face = k,
+                           .first = faces->vertices,
+                           .n = n,
+                           .holed = has_holes(s, &s->face[k]),
+                           .object = s->face[k].object};
         if (n < 3 || !span(l, f, v, scratch)) continue;
         f->box = area_box_of(v, n);
         const poly_t whole = {v, &f->n, 1};

@@ -24,15 +24,20 @@ typedef struct area_face {
     int64_t z_near, z_far;
     area_plane_t plane;
     int64_t slope, slack; /* area_plane_slope(); area_slack() at z_near */
-    bool deep;            /* its slack differs much from place to place */
-    bool holed;           /* then edges of it may cancel each other */
-    bool sharp;           /* a corner of it is so pointed that what welds close is long */
-    bool on_stack;
+    int32_t object;       /* of the scene */
+    bool deep : 1;        /* its slack differs much from place to place */
+    bool holed : 1;       /* then edges of it may cancel each other */
+    bool sharp : 1;       /* a corner of it is so pointed that what welds close is long */
+    bool on_stack : 1;
+    bool body : 1;   /* the silhouette of an object (area_body.h): it has no plane */
+    bool part : 1;   /* of one */
+    bool broken : 1; /* a body that something may cut through */
 } area_face_t;
 
 typedef struct area_faces {
-    area_face_t *face; /* by depth, nearest first */
-    int32_t n;
+    area_face_t *face; /* what is sorted, by depth, nearest first; after that the faces that bodies consist of */
+    int32_t n, parts;
+    int32_t *of_object; /* area_body.c */
     poly_vertex_t *vertex;
     int32_t vertices;
     area_lattice_t lattice;

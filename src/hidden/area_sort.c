@@ -1,5 +1,6 @@
 /* area_sort.c - see area.h: the sort itself, in one window. */
 #include "hidden/area_sort.h"
+#include "hidden/area_body.h"
 #include "hidden/area_weld.h"
 #include "hidden/area_wires.h"
 
@@ -33,7 +34,14 @@ static bool is_flat_cut(const poly_t *p, const area_plane_t *apart, int64_t unit
 }
 
 static void roughen(area_t *a, const area_face_t *f) {
-    if (!f->holed) a->state[f->face] = AREA_ROUGH;
+    int32_t from, to;
+    if (!f->body) {
+        if (!f->holed) a->state[f->face] = AREA_ROUGH;
+        return;
+    }
+    area_body_parts(&a->faces, (int32_t)(f - a->faces.face), &from, &to);
+    for (int32_t k = from; k < to; k++)
+        if (a->faces.face[k].sharp) a->state[a->faces.face[k].face] = AREA_ROUGH;
 }
 
 /* A polygon p of face s is cut by face c, or all but: so many units off, of what depth may be off. */
@@ -49,6 +57,10 @@ static void look_at_cut(area_t *a, const poly_t *p, const area_face_t *s, const 
  * by more than what either may be off there. In one plane they hide nothing of each other. */
 static int compare(area_t *a, const poly_t *p, int32_t of, int32_t than) {
     const area_face_t *s = &a->faces.face[of], *c = &a->faces.face[than];
+    if (s->body || c->body) {
+        const int where = area_bodies_compare(&a->faces, of, than);
+        return where == 1 ? IN_FRONT : where == -1 ? BEHIND : TOGETHER;
+    }
     const area_plane_t apart = area_plane_minus(&c->plane, &s->plane);
     const bool deep = s->deep || c->deep;
     int64_t through = area_plane_slope(&apart), slack = s->slack + c->slack;
@@ -222,17 +234,52 @@ static int cover(area_t *a, const poly_t *p) {
     return err;
 }
 
+static int give(area_t *a, int32_t face, const poly_t *p) {
+    a->stats->visible++;
+    const int err = a->sink->polygon(a->sink->ctx, a->faces.face[face].face, p);
+    a->sink_failed |= err != 0;
+    return err;
+}
+
+/* Of part k of a body what is in a piece of its silhouette. */
+static int show_part(area_t *a, int32_t piece, int32_t k) {
+    const area_face_t *f = &a->faces.face[k];
+    const poly_t whole = {a->faces.vertex + f->first, &f->n, 1}, by = area_pool_poly(&a->pool, piece);
+    const area_box_t *box = &a->pool.piece[piece].box;
+    area_weld_t w;
+    size_t used;
+    if (a->pool.piece[piece].block == AREA_NONE) return give(a, k, &whole);
+    if (!area_boxes_meet(&f->box, box) || area_apart(&whole, &by)) return 0;
+    int err = area_weld(&w, &whole, &f->box, &by, box, a->clip_mem, a->clip_bytes, &used);
+    if (err) return err;
+    if (w.changed && f->sharp) roughen(a, f);
+    const clip_job_t job = {w.subject, w.clip, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_NOTHING}};
+    err = clip_run(&a->clip, &job, (uint8_t *)a->clip_mem + used, a->clip_bytes - used);
+    const int32_t seen = err ? AREA_NONE : area_pool_clipped(&a->pool, k, &a->clip, 0, &err);
+    if (seen == AREA_NONE) return err;
+    const poly_t p = area_pool_poly(&a->pool, seen);
+    err = give(a, k, &p);
+    area_pool_drop(&a->pool, seen);
+    return err;
+}
+
+static int show_body(area_t *a, int32_t piece) {
+    int32_t from, to;
+    area_body_parts(&a->faces, a->pool.piece[piece].face, &from, &to);
+    for (int32_t k = from; k < to; k++) {
+        const int err = show_part(a, piece, k);
+        if (err) return err;
+    }
+    return 0;
+}
+
 static int show(area_t *a, area_list_t list) {
     for (int32_t k = list.first, next; k != AREA_NONE; k = next) {
         next = a->pool.piece[k].next;
         const poly_t p = area_pool_poly(&a->pool, k);
-        a->stats->visible++;
-        int err = a->sink->polygon(a->sink->ctx, a->faces.face[a->pool.piece[k].face].face, &p);
-        if (err) {
-            a->sink_failed = true;
-            return err;
-        }
-        err = a->open ? cover(a, &p) : 0;
+        const int32_t face = a->pool.piece[k].face;
+        int err = a->faces.face[face].body ? show_body(a, k) : give(a, face, &p);
+        if (!err && a->open) err = cover(a, &p);
         if (err) return err;
         area_pool_drop(&a->pool, k);
     }

@@ -1,4 +1,5 @@
 /* area_window.c - see area.h: the subdivision of the screen and of depth, which bounds memory. */
+#include "hidden/area_body.h"
 #include "hidden/area_sort.h"
 #include "hidden/area_weld.h"
 
@@ -91,14 +92,31 @@ static void empty_pool(area_t *a) {
 /* The clipper's memory serves as many crossings as edges. */
 static void note_bytes(const area_t *a) {
     const area_pool_t *p = &a->pool;
-    const size_t bytes = a->fixed + (size_t)p->pieces * sizeof(area_piece_t) + CLIP_BYTES((size_t)p->edges_most) / 2 +
-                         (size_t)p->words_most * sizeof(int32_t);
+    const size_t clip = CLIP_BYTES((size_t)p->edges_most) / 2;
+    const size_t bytes = a->fixed + (size_t)p->pieces * sizeof(area_piece_t) +
+                         (clip < a->clip_bytes ? clip : a->clip_bytes) + (size_t)p->words_most * sizeof(int32_t);
     if (bytes > a->stats->bytes) a->stats->bytes = bytes;
     if (p->pieces > a->stats->pieces) a->stats->pieces = p->pieces;
 }
 
+/* Finds the bodies that cut through something in a window, or may. */
+static void look_for_cuts(area_t *a, const area_box_t *w) {
+    for (int32_t i = 0; i < a->faces.n; i++) {
+        area_face_t *f = &a->faces.face[i];
+        if (!area_boxes_meet(&f->box, w)) continue;
+        for (int32_t k = i + 1; k < a->faces.n; k++) {
+            area_face_t *g = &a->faces.face[k];
+            if ((!f->body && !g->body) || !area_boxes_meet(&f->box, &g->box) || !area_boxes_meet(&g->box, w)) continue;
+            if (area_bodies_compare(&a->faces, i, k) == AREA_APART_UNKNOWN) f->broken = g->broken = true;
+        }
+    }
+}
+
 static int sort_window(area_t *a, const area_box_t *box) {
     area_list_t list;
+    do { /* their faces may cut through others */
+        if (a->faces.parts > 0) look_for_cuts(a, box);
+    } while (a->faces.parts > 0 && area_bodies_break(&a->faces, false));
     empty_pool(a);
     a->stats->windows++;
     int err = fill(a, box, &list);
@@ -173,6 +191,7 @@ static int sort_boxes(area_t *a, const area_box_t *w) {
     const int32_t end = 4, words = a->pool.words_max;
     poly_t open = {corner, &end, 1};
     corners_of(w, corner);
+    area_bodies_break(&a->faces, true);
     int32_t most = a->pool.pieces_max / PIECES_PER_FACE / 2, each = words / 6, vertices = each / 5;
     int32_t *at = a->pool.word + words - 2 * each;
     for (int k = 0; k < 2; k++, at += each)

@@ -128,9 +128,9 @@ static int draw(const area_faces_t *faces, int32_t edge, int32_t on, wire_memory
         int err = hide_beside(&faces->lattice, &w, on, m);
         if (err) return err;
     }
-    for (int32_t k = 0; k < faces->n; k++) {
+    for (int32_t k = 0; k < faces->n + faces->parts; k++) {
         const area_face_t *f = &faces->face[k];
-        if (!area_boxes_meet(&f->box, &w.box)) continue;
+        if (f->body || !area_boxes_meet(&f->box, &w.box)) continue;
         int32_t n = crossings(&w, faces->vertex + f->first, f->n, m->t, m->most);
         if (n < 0) return n;
         for (int32_t i = 0; i + 1 < n; i += 2) {

@@ -40,7 +40,8 @@ static void measure(const char *name, const solid_ref_t *body, int64_t rot_x, in
     settings_default(&scene.set);
     scene.set.view.rot_x = num_from_i64(rot_x);
     int64_t vertices;
-    const area_sink_t sink = {.ctx = &vertices, .polygon = count, .wire = no_wire, .window_faces = window_faces};
+    const area_sink_t sink = {
+        .ctx = &vertices, .polygon = count, .wire = no_wire, .window_faces = window_faces, .one_by_one = getenv("ONE")};
     area_stats_t s = {0};
     int err = solid_stage_make(&stage, &scene, true);
     size_t bytes = window_faces ? 40 * stage.bytes : stage.bytes;
