@@ -43,6 +43,7 @@ static void consolidate(area_t *a, bump_t *b) {
     take(b, vertices); /* after the others */
     void *mem = take(b, area_bodies_bytes(s));
     area_bodies_make(&a->faces, mem, b->at, b->left);
+    for (int32_t k = 0; k < a->faces.n; k++) a->stats->bodies += a->faces.face[k].body;
 }
 
 /* The faces first, then what they leave to pieces, clipper and pool. */

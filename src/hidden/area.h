@@ -36,6 +36,7 @@ typedef struct area_stats {
     int64_t removed;       /* pieces behind a clip polygon */
     int64_t errors;        /* sort errors: polygons in front of the one that was taken to be the front-most */
     int64_t intersections; /* parts that cut through the face that clips */
+    int64_t bodies;        /* sorted as silhouettes, in the beginning */
     int64_t visible;       /* visible polygons, pieces of one face counted each */
     bool behind;           /* something is behind the eye */
     int32_t windows;       /* of the screen subdivision */

@@ -179,13 +179,12 @@ static int side_of(const solid_t *s, const solid_normal_t *n, const solid_vertex
     return before && behind ? 0 : before ? 1 : behind ? -1 : 2;
 }
 
-/* The same of a body or a polygon. */
+/* The same of a body. */
 static int side_of_all(const area_faces_t *faces, const solid_normal_t *n, const solid_vertex_t *at,
                        const area_face_t *f, bool *touches) {
     const solid_t *s = faces->lattice.m->solid;
     const wide_t slack = solid_slack(n);
     *touches = false;
-    if (!f->body) return side_of(s, n, at, slack, f->face, touches);
     int side = 2;
     for (int32_t k = firsts(faces)[f->object]; k < firsts(faces)[f->object + 1]; k++) {
         const int here = side_of(s, n, at, slack, list(faces)[k], touches);
@@ -195,6 +194,24 @@ static int side_of_all(const area_faces_t *faces, const solid_normal_t *n, const
     return side;
 }
 
+/* Is no corner of a face behind a plane? */
+static bool is_outside(const solid_t *s, const solid_normal_t *n, const solid_vertex_t *at, const wide_t least,
+                       int32_t face) {
+    for (int32_t k = 0; k < s->face[face].n; k++)
+        if (wide_cmp(solid_dot(n, solid_sub(corner(s, face, k), at)), least) < 0) return false;
+    return true;
+}
+
+static bool is_all_outside(const area_faces_t *faces, const solid_normal_t *n, const solid_vertex_t *at,
+                           const area_face_t *f) {
+    const solid_t *s = faces->lattice.m->solid;
+    const wide_t least = wide_neg(solid_slack(n));
+    if (!f->body) return is_outside(s, n, at, least, f->face);
+    for (int32_t k = firsts(faces)[f->object]; k < firsts(faces)[f->object + 1]; k++)
+        if (!is_outside(s, n, at, least, list(faces)[k])) return false;
+    return true;
+}
+
 /* By the planes of body a: where b is to a. */
 static int by_planes(const area_faces_t *faces, const area_face_t *a, const area_face_t *b) {
     const solid_map_t *m = faces->lattice.m;
@@ -202,8 +219,7 @@ static int by_planes(const area_faces_t *faces, const area_face_t *a, const area
         const int32_t face = list(faces)[k];
         const solid_normal_t n = solid_face_normal(m->solid, face);
         const solid_vertex_t *at = corner(m->solid, face, 0);
-        bool touches;
-        if (side_of_all(faces, &n, at, b, &touches) > 0) return solid_side(m, &n, at);
+        if (is_all_outside(faces, &n, at, b)) return solid_side(m, &n, at);
     }
     return AREA_APART_UNKNOWN;
 }

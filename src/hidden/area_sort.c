@@ -241,6 +241,41 @@ static int give(area_t *a, int32_t face, const poly_t *p) {
     return err;
 }
 
+/* Does a border of p that is not one of the silhouette's come so near to a box that a weld might move it there? */
+#define NEAR_CUT 16
+static bool is_cut_near(const poly_t *p, const area_box_t *box) {
+    for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++])
+        for (int32_t k = first; k < p->end[c]; k++) {
+            const poly_point_t a = p->v[k].at, b = p->v[k + 1 < p->end[c] ? k + 1 : first].at;
+            if (p->v[k].tag < 0 && (a.x < b.x ? b.x : a.x) + NEAR_CUT >= box->x0 &&
+                (a.x < b.x ? a.x : b.x) - NEAR_CUT <= box->x1 && (a.y < b.y ? b.y : a.y) + NEAR_CUT >= box->y0 &&
+                (a.y < b.y ? a.y : b.y) - NEAR_CUT <= box->y1)
+                return true;
+        }
+    return false;
+}
+
+/* Even-odd. */
+static bool is_in(const poly_t *p, poly_point_t at) {
+    bool in = false;
+    for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++]) {
+        poly_point_t a = p->v[p->end[c] - 1].at;
+        for (int32_t k = first; k < p->end[c]; k++) {
+            const poly_point_t b = p->v[k].at;
+            if ((a.y > at.y) != (b.y > at.y) && (poly_orient(a, b, at) > 0) == (b.y > a.y)) in = !in;
+            a = b;
+        }
+    }
+    return in;
+}
+
+/* The mean of a convex polygon's corners. */
+static poly_point_t middle_of(const poly_vertex_t *v, int32_t n) {
+    int64_t x = 0, y = 0;
+    for (int32_t k = 0; k < n; k++) x += v[k].at.x, y += v[k].at.y;
+    return (poly_point_t){(int32_t)(x / n), (int32_t)(y / n)};
+}
+
 /* Of part k of a body what is in a piece of its silhouette. */
 static int show_part(area_t *a, int32_t piece, int32_t k) {
     const area_face_t *f = &a->faces.face[k];
@@ -249,7 +284,9 @@ static int show_part(area_t *a, int32_t piece, int32_t k) {
     area_weld_t w;
     size_t used;
     if (a->pool.piece[piece].block == AREA_NONE) return give(a, k, &whole);
-    if (!area_boxes_meet(&f->box, box) || area_apart(&whole, &by)) return 0;
+    if (!area_boxes_meet(&f->box, box)) return 0;
+    if (!is_cut_near(&by, &f->box)) return is_in(&by, middle_of(whole.v, f->n)) ? give(a, k, &whole) : 0;
+    if (area_apart(&whole, &by)) return 0;
     int err = area_weld(&w, &whole, &f->box, &by, box, a->clip_mem, a->clip_bytes, &used);
     if (err) return err;
     if (w.changed && f->sharp) roughen(a, f);
