@@ -18,9 +18,8 @@
  *
  * The screen subdivision of their section "Screen subdivision" bounds memory: a window with more polygons than the
  * memory takes is halved, and the halves are done one after the other; pieces of edges meet again afterwards. Where
- * that does not help, since polygons reach across both, depth is divided as well: boxes from front to back. Their
- * consolidation, one silhouette polygon for a body of many, is not made: outlines are drawn as such (line_class.h), but
- * faces are sorted one by one. Memory: area_bytes(). Cost: printed by make bench. */
+ * that does not help, since polygons reach across both, depth is divided as well: boxes from front to back. Convex
+ * bodies are sorted as one polygon each, their silhouettes (area_body.h, their "Consolidation"). Memory: area_bytes(). Cost: printed by make bench. */
 #ifndef AREA_H
 #define AREA_H
 

@@ -33,6 +33,9 @@ static int no_wire(void *ctx, int32_t edge, int32_t from, int32_t to) {
 
 static struct { double polygons, lateral, ms; } before;
 
+#define WHOLE INT32_MAX
+#define ONE_BY_ONE (-1) /* windows as usual, but no bodies as silhouettes */
+
 static void measure(const char *name, const solid_ref_t *body, int64_t rot_x, int32_t window_faces) {
     static solid_scene_t scene;
     static solid_stage_t stage;
@@ -40,11 +43,14 @@ static void measure(const char *name, const solid_ref_t *body, int64_t rot_x, in
     settings_default(&scene.set);
     scene.set.view.rot_x = num_from_i64(rot_x);
     int64_t vertices;
-    const area_sink_t sink = {
-        .ctx = &vertices, .polygon = count, .wire = no_wire, .window_faces = window_faces, .one_by_one = getenv("ONE")};
+    const area_sink_t sink = {.ctx = &vertices,
+                              .polygon = count,
+                              .wire = no_wire,
+                              .window_faces = window_faces == WHOLE ? WHOLE : 0,
+                              .one_by_one = window_faces == ONE_BY_ONE};
     area_stats_t s = {0};
     int err = solid_stage_make(&stage, &scene, true);
-    size_t bytes = window_faces ? 40 * stage.bytes : stage.bytes;
+    size_t bytes = window_faces == WHOLE ? 40 * stage.bytes : stage.bytes;
     void *mem = malloc(bytes);
     double best = 1e9, started = now_ms();
     if (!mem) abort();
@@ -55,8 +61,10 @@ static void measure(const char *name, const solid_ref_t *body, int64_t rot_x, in
         best = fmin(best, now_ms() - t);
     }
     printf("area %-20s %-8s polygons %6lld  %9.3f ms  lateral %9lld  clips %8lld  visible %7lld  windows %4d", name,
-           window_faces ? "whole" : "divided", (long long)s.polygons, best, (long long)s.lateral, (long long)s.clips,
-           (long long)s.visible, (int)s.windows);
+           window_faces == WHOLE        ? "whole"
+           : window_faces == ONE_BY_ONE ? "1 by 1"
+                                        : "divided",
+           (long long)s.polygons, best, (long long)s.lateral, (long long)s.clips, (long long)s.visible, (int)s.windows);
     if (err) printf("  error %d", err);
     if (before.polygons > 0 && (double)s.polygons > 1.5 * before.polygons) {
         double n = log((double)s.polygons / before.polygons);
@@ -93,11 +101,17 @@ int main(void) {
         solid_ref_free(&body);
     }
     before.polygons = 0;
+    solid_body_cubes(&body, 28);
+    measure("28 x 28 cubes", &body, 65, ONE_BY_ONE);
+    solid_ref_free(&body);
+    before.polygons = 0;
     solid_body_round(&body, 54, 2.5);
     measure("torus", &body, 65, 0);
     solid_ref_free(&body);
     solid_body_round(&body, 54, 0);
     measure("ball", &body, 65, 0);
+    before.polygons = 0;
+    measure("ball", &body, 65, ONE_BY_ONE);
     solid_ref_free(&body);
     grow("behind one", solid_body_covered, 64, 4096);
     grow("shingles", solid_body_shingles, 64, 4096);
