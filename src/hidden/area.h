@@ -19,7 +19,8 @@
  * The screen subdivision of their section "Screen subdivision" bounds memory: a window with more polygons than the
  * memory takes is halved, and the halves are done one after the other; pieces of edges meet again afterwards. Where
  * that does not help, since polygons reach across both, depth is divided as well: boxes from front to back. Convex
- * bodies are sorted as one polygon each, their silhouettes (area_body.h, their "Consolidation"). Memory: area_bytes(). Cost: printed by make bench. */
+ * bodies are sorted as one polygon each, their silhouettes (area_body.h, their "Consolidation"). Memory: area_bytes().
+ * Cost: printed by make bench. */
 #ifndef AREA_H
 #define AREA_H
 
