@@ -9,12 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host/complete.h"
 #include "host/library.h"
 #include "host/script.h"
 
 /* clang-format off */
 #define EDIT(F) \
-    F(using_history) F(stifle_history) F(read_history) F(write_history) F(add_history) F(readline)
+    F(using_history) F(stifle_history) F(read_history) F(write_history) F(add_history) F(readline) \
+    F(rl_completion_matches) F(rl_attempted_completion_function) F(rl_line_buffer)
 /* clang-format on */
 static struct { EDIT(LIBRARY_POINTER) } edit;
 static bool has_edit;
@@ -31,6 +33,19 @@ static void remember(const char *line, char *last, size_t room) {
     if (!line[strspn(line, " \t")] || script_state() == SESSION_DATA || strcmp(line, last) == 0) return;
     if (has_edit) edit.add_history(line);
     snprintf(last, room, "%s", line);
+}
+
+/* The tab key: commands and options are ours, names of files are left to libedit. */
+static const char *table;
+static char *next_word(const char *text, int state) {
+    static const char *at;
+    if (state == 0) at = NULL;
+    return complete_next(table, text, &at);
+}
+static char **complete(const char *text, int start, int end) {
+    (void)end;
+    table = complete_table(*edit.rl_line_buffer, (size_t)start);
+    return table ? edit.rl_completion_matches(text, next_word) : NULL;
 }
 
 static sigjmp_buf to_prompt;
@@ -80,6 +95,7 @@ void prompt_run(void) {
     if (has_edit) {
         edit.using_history();
         edit.stifle_history(PROMPT_HISTORY);
+        *edit.rl_attempted_completion_function = complete;
     }
     if (keep) edit.read_history(path);
     signal(SIGINT, on_interrupt);

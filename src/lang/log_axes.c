@@ -10,12 +10,14 @@
 #if CONFIG_LOGSCALE
 /* Names of axes in one word, as in xy or zcb; *mask gets those that are drawn. */
 static int names(session_t *s, const lexer_t *lx, uint8_t *mask) {
-    static const char others[] = "x2\0y2\0cb\0r\0";
+    static const char *const others[] = {"x2", "y2", "cb", "r"};
     const char *p = lexer_text(lx), *const end = p + lx->tok.len;
     while (p < end) {
         size_t n = 0;
-        for (const char *o = others; *o && !n; o += strlen(o) + 1)
-            if ((size_t)(end - p) >= strlen(o) && memcmp(p, o, strlen(o)) == 0) n = strlen(o);
+        for (size_t k = 0; k < sizeof others / sizeof others[0] && !n; k++) {
+            const size_t len = strlen(others[k]);
+            if ((size_t)(end - p) >= len && memcmp(p, others[k], len) == 0) n = len;
+        }
         if (n == 0 && (*p < 'x' || *p > 'z'))
             return session_fail(s, lx, ERR_NAME, "names of axes expected, such as x, yz or zcb");
         if (n == 0) *mask |= (uint8_t)(1 << (*p - 'x'));

@@ -103,10 +103,16 @@ without_a_terminal_it_reads_a_script() {
     expect_text err '^'
 }
 
+the_tab_key_knows_words() {
+    says 'uns\011hid\011' 'print 40+2; sho\011xyp\011' 'fro\011' quit | at_terminal "$RIDGELINE" >out
+    expect_text out 42 'set xyplane' 'unknown command: fro'
+    grep -q 'unset.*hidden3d' .ridgeline_history
+}
+
 if at_terminal true </dev/null >/dev/null 2>&1; then
     run_tests a_plot_at_the_prompt_becomes_plot_svg an_error_does_not_end_it outputs_can_be_chosen ctrl_c_takes_a_line_back \
         ctrl_c_ends_a_plot_that_takes_too_long ctrl_c_stops_a_plot_at_the_prompt \
-        trouble_with_a_file_is_over_with_the_next_line the_end_of_input_ends_it history_is_kept without_a_terminal_it_reads_a_script
+        trouble_with_a_file_is_over_with_the_next_line the_end_of_input_ends_it history_is_kept the_tab_key_knows_words without_a_terminal_it_reads_a_script
 else
     echo "# the prompt itself is not tested: no pseudo-terminal can be had here"
     run_tests without_a_terminal_it_reads_a_script
