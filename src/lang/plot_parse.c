@@ -103,6 +103,7 @@ static int data_name(session_t *s, lexer_t *lx, session_source_t *src, expr_para
 #if CONFIG_SAMPLED
         plot_sampled_file(s, src, name[1] != '\0', params);
 #else
+        (void)params;
         return session_fail(s, lx, ERR_UNSUPPORTED, "the pseudo file is not supported; plot an expression");
 #endif
     } else if (name[0] == '<') {

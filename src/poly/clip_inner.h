@@ -35,7 +35,7 @@ typedef struct clip_stretch {
 
 /* Which bit of a result's truth table is that of a place with these winding numbers? */
 static inline unsigned clip_bit(const clip_t *c, const int16_t w[2]) {
-    if (c->fill == CLIP_EVEN_ODD) return (w[0] & 1u) | (w[1] & 1u) << 1;
+    if (c->fill == CLIP_EVEN_ODD) return (unsigned)(w[0] & 1) | (unsigned)(w[1] & 1) << 1;
     return (w[0] ? 1u : 0) | (w[1] ? 2u : 0);
 }
 /* Is a place with these winding numbers in result k? */

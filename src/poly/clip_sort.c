@@ -32,7 +32,8 @@ static void deal(clip_seg_t *s, int32_t n, clip_seg_t *spare) {
         least = x < least ? x : least;
         most = x > most ? x : most;
     }
-    const uint32_t columns_q32 = (uint32_t)(((uint64_t)n << 32) / ((uint64_t)(most - least) + n)); /* in a unit */
+    const uint32_t columns_q32 =
+        (uint32_t)(((uint64_t)n << 32) / ((uint64_t)(most - least) + (uint64_t)n)); /* in a unit */
     uint8_t start[FEW + 1] = {0};
     for (int32_t k = 0; k < n; k++) start[((uint64_t)(word(&s[k], BY_X) - least) * columns_q32 >> 32) + 1]++;
     for (int32_t b = 1; b < n; b++) start[b] = (uint8_t)(start[b] + start[b - 1]);
