@@ -82,6 +82,11 @@ static int too_large(console_t *c, const plot_t *plot, void *memory, picture_hoo
 static int find_share(console_t *c, const plot_t *plot, void *memory, picture_hooks_t *hooks) {
     if (picture_pauses(plot)) hooks->waiting = CONFIG_WAITING;
     if (hooks->waiting == 0 && picture_is_safe(plot, c->picture_bytes)) return 0;
+    if (CONFIG_WAITING == 0 && picture_is_safe_whole(plot, c->picture_bytes)) {
+        int err = picture_measure(&c->picture, plot, memory, c->picture_bytes, hooks);
+        if (c->realtime.cancelled) return ERR_STOPPED;
+        if (err != ERR_FULL) return err;
+    }
     for (int share = 0; share < PICTURE_SHARES;) {
         hooks->share = (enum picture_share)share;
         int err = picture_try(&c->picture, plot, memory, c->picture_bytes, hooks);

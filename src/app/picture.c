@@ -264,6 +264,14 @@ int picture_try(picture_t *p, const plot_t *plot, void *mem, size_t bytes, const
     return run(p, NULL);
 }
 
+int picture_measure(picture_t *p, const plot_t *plot, void *mem, size_t bytes, picture_hooks_t *hooks) {
+    hooks->only_measure = true;
+    int err = picture_try(p, plot, mem, bytes, hooks);
+    hooks->only_measure = false;
+    hooks->measured = !err;
+    return !err && p->grid[0].holes > 0 ? ERR_FULL : err;
+}
+
 bool picture_pauses(const plot_t *plot) {
     const enum hidden_mode hidden = plot->settings->hidden;
     if (plot->kind == PLOT_CURVES || hidden == HIDDEN_NONE || hidden == HIDDEN_HALO) return false;
@@ -272,6 +280,10 @@ bool picture_pauses(const plot_t *plot) {
 
 bool picture_is_safe(const plot_t *plot, size_t bytes) {
     return hiding_bytes(plot, EACH_ROUGH, true) <= bytes / kernel_part(bytes);
+}
+
+bool picture_is_safe_whole(const plot_t *plot, size_t bytes) {
+    return is_grid(plot) && plot->n == 1 && hiding_bytes(plot, EACH_ROUGH, false) <= bytes / kernel_part(bytes);
 }
 
 size_t picture_needs(const picture_t *p) {

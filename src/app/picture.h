@@ -60,9 +60,10 @@ typedef struct picture_hooks {
     int (*pen)(void *ctx, int number);
     /* Called when the view is known, before the first stroke; may be NULL. */
     void (*begin)(void *ctx, const camera_t *cam);
-    bool
-        measured; /* p is as picture_try left it with this plot: one surface that is not cached is not measured again */
-    int32_t waiting; /* pieces of ink that may wait for a kernel's pause (path/waiting.h); 0: it need not pause */
+    bool measured; /* p is as picture_measure or picture_try left it with this plot, and nobody used the memory since:
+                    * one surface is not measured again, unless its cache would lie elsewhere */
+    bool only_measure; /* picture_measure's */
+    int32_t waiting;   /* pieces of ink that may wait for a kernel's pause (path/waiting.h); 0: it need not pause */
     const path_feed_t *feed; /* draw while the picture is still being computed; or NULL */
 } picture_hooks_t;
 
@@ -148,6 +149,10 @@ bool picture_pauses(const plot_t *plot);
 /* Is this memory, in its usual division, enough for all but freakish scenes of this size? Otherwise picture_try tells.
  */
 bool picture_is_safe(const plot_t *plot, size_t bytes);
+/* Would it be if there were no holes, which take three times as much? Then this tells, for far less than picture_try:
+ * it measures the surface and returns 0 if it has none, ERR_FULL if it has, or as picture_draw does. */
+bool picture_is_safe_whole(const plot_t *plot, size_t bytes);
+int picture_measure(picture_t *p, const plot_t *plot, void *mem, size_t bytes, picture_hooks_t *hooks);
 /* About how large a block it would have needed, after picture_try has returned ERR_FULL. */
 size_t picture_needs(const picture_t *p);
 /* How much is drawn and how much there will be, as far as it can be told: exact once all is hidden. For picture_draw's

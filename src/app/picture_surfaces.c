@@ -49,7 +49,7 @@ static int add_surface(picture_t *p, const surface_t *s) {
     int32_t *cache = size <= arena_left(&p->arena) / 2 ? arena_take(&p->arena, size) : NULL;
     if (cache) p->stats.cache_bytes += size;
     lend(p, s);
-    const bool known = p->hooks && p->hooks->measured && p->spaces == 0 && g->src == s && !g->cache && !cache;
+    const bool known = p->hooks && p->hooks->measured && p->spaces == 0 && g->src == s && g->cache == cache;
     int err =
         known ? 0 : grid_measure(g, s, z->auto_lo ? NULL : &z->lo, z->auto_hi ? NULL : &z->hi, cache, measure_tick, p);
     if (err) return err;
@@ -190,6 +190,7 @@ static int begin(picture_t *p, const pen_sink_t *pen, bool isolines, bool *plain
         points += points_of(&item->surface);
         growing += item->surface.nx;
     }
+    if (CONFIG_WAITING == 0 && p->hooks && p->hooks->only_measure) return 0;
     num_t lo[3], hi[3];
     scene_box(p, lo, hi);
     err = picture_camera(p, lo, hi);
@@ -217,7 +218,7 @@ static int draw(picture_t *p, const pen_sink_t *pen) {
     size_t kernel_bytes = 0;
     void *kernel = isolines ? NULL : picture_kernel_memory(p, &kernel_bytes);
     int err = begin(p, pen, isolines, &plain);
-    if (err) return err;
+    if (err || (CONFIG_WAITING == 0 && p->hooks && p->hooks->only_measure)) return err;
     ink_sink_t sink = p->sink;
 #if CONFIG_AREA
     grid_outline_t outline = {p->lines, p->grid, p->sink};

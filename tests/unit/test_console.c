@@ -295,6 +295,26 @@ static void test_small_memory(void **state) {
            (long long)fix.console.picture.stats.path.flushes);
 }
 
+/* What is not sure to fit for holes that it may have is measured, once, and then drawn, or tried first. */
+static void test_measured_once(void **state) {
+    (void)state;
+    static const char *const SPLOT[] = {"splot exp(-x**2-y**2)\r", "splot sqrt(x+y)*exp(-x**2-y**2)\r",
+                                        "splot rand(0)\r"};
+    for (size_t k = 0; k < sizeof SPLOT / sizeof *SPLOT; k++) {
+        hidden_stats_t found[2];
+        for (int little = 0; little < 2; little++) {
+            fix_power_on(little ? MOTION_BYTES_HOST + 50000 : sizeof fix.memory);
+            fix_say("set isosamples 40;set xrange [-2:2];set yrange [-2:2];set paper 40,30 margin 2\r", SECOND);
+            fix_say(SPLOT[k], 1000 * SECOND);
+            found[little] = fix.console.picture.stats.hidden;
+            assert_true(fix.console.picture.stats.path.strokes > 50);
+            assert_int_equal(fix.console.picture.stats.evaluated, 40 * 40); /* and all came from the cache */
+        }
+        assert_int_equal(found[1].facets, found[0].facets);
+        assert_int_equal(found[1].pieces, found[0].pieces);
+    }
+}
+
 static void test_machine_size(void **state) {
     (void)state;
     fix_say("set machine size 200,150\rsplot x*y\r", 10 * SECOND);
@@ -396,6 +416,7 @@ int main(void) {
         cmocka_unit_test_setup(test_settings_are_kept, on),
         cmocka_unit_test_setup(test_too_large, on),
         cmocka_unit_test_setup(test_small_memory, on),
+        cmocka_unit_test_setup(test_measured_once, on),
         cmocka_unit_test_setup(test_machine_size, on),
         cmocka_unit_test_setup(test_pen_and_motors, on),
         cmocka_unit_test_setup(test_pause, on),
