@@ -40,8 +40,9 @@ export default function probe(mcu, elf, until, out, profile = '0') {
   const tell = symbols.find((s) => s.name === 'picture_tell').at;
   const interesting = new Uint8Array(1 << 20);
   const finish = symbols.find((s) => s.name === 'path_finish').at;
-  const draw = symbols.find((s) => s.name === 'picture_draw').at; // before it, it may have been tried whether all fits
-  for (const a of [...enters.keys(), tell, draw]) interesting[(a - FLASH) >> 1] = 1;
+  const draw = symbols.find((s) => s.name === 'picture_draw').at; // before it, it may have been tried whether all fits,
+  const only = symbols.find((s) => s.name === 'picture_measure')?.at; // or only measured, which counts
+  for (const a of [...enters.keys(), tell, draw, only]) interesting[(a - FLASH) >> 1] = 1;
 
   const ms = {}; // when what happened first
   const note = (what) => (ms[what] ??= clock.nanos / 1e6);
@@ -64,7 +65,7 @@ export default function probe(mcu, elf, until, out, profile = '0') {
   const cycles = { other: 0, interrupts: 0, waiting: 0 };
   for (const phase of Object.keys(PHASES)) cycles[phase] = 0;
   const stack = [];
-  let phase = 'other', back = -1, backSP = 0, stage = -1, low = 0x7fffffff;
+  let kept = false, phase = 'other', back = -1, backSP = 0, stage = -1, low = 0x7fffffff;
   return {
     step(pc, n, waiting) {
       if (core.SP < low && stage >= 0) low = core.SP;
@@ -80,10 +81,11 @@ export default function probe(mcu, elf, until, out, profile = '0') {
       const k = ((pc - FLASH) >>> 1) & 0xfffff;
       while (pc === back && core.SP >= backSP) ({ phase, back, backSP } = stack.pop());
       if (interesting[k]) {
-        if (pc === draw) Object.keys(cycles).forEach((c) => (cycles[c] = 0));
+        if (pc === only) kept = true;
+        if (pc === draw && !kept) Object.keys(cycles).forEach((c) => (cycles[c] = 0));
         if (pc === tell && core.registers[1] !== stage) {
           stage = core.registers[1];
-          if (stage === 0) Object.keys(cycles).forEach((c) => (cycles[c] = 0));
+          if (stage === 0 && !(kept && cycles.measure)) Object.keys(cycles).forEach((c) => (cycles[c] = 0));
         }
         if (pc === finish) {
           note('hidden');
