@@ -40,7 +40,7 @@ fi
 # does not follow.
 if have cppcheck; then
     # shellcheck disable=SC2086
-    cppcheck -q --std=c11 -Isrc -I. --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
+    cppcheck -q --std=c11 -Isrc -I. -UHELP_PACKED --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
         --suppress=missingIncludeSystem --suppress=internalAstError \
         --suppress=shiftTooManyBitsSigned --suppress=shiftNegativeLHS --suppress=zerodivcond --suppress=objectIndex \
         --suppress=arrayIndexThenCheck --suppress=uninitvar:src/hidden/bands_add.c \

@@ -130,7 +130,7 @@ static bool note_all(void *ctx, const int32_t *from, const int32_t *end) {
 static void find_near(drawing_t *d) {
     const shadow_t *own = &d->shadows.list[d->shadows.part[~d->owner[0]]];
     d->box = (page_box_t){own->x0 - OFF, own->y0 - OFF, own->x1 + OFF, own->y1 + OFF};
-    d->z = own->far < INT32_MAX ? own->far + OFF : INT32_MAX;
+    d->z = own->far < INT32_MAX - OFF ? own->far + OFF : INT32_MAX;
     d->near_of = d->owner[0];
     d->nears = 0;
     if (!d->grid.start) {
