@@ -15,12 +15,12 @@ if [ "$1" = --errors ]; then
         !(($1, $2, $3) in error) || $4 <= 0 { next }
         { if (!(($1, $2) in rows)) order[++n] = $1 SUBSEP $2
           rows[$1, $2] = rows[$1, $2] sprintf("| %s | %s | %s%s | %.2f | %.0f | %.0f | %.0f | %.1f us |\n", $1, $2, $3, is[$1 $3] ? " (shipped)" : "",
-              error[$1, $2, $3], $5 / $4, $6 / $4, $7 / $4, $7 / $4 / 125) }
+              error[$1, $2, $3], $5 / $4, $6 / $4, $7 / $4, $7 / $4 / 133) }
         END {
             print "# Error against speed on the boards\n"
             print "Error: the longest missing or false run or the largest displacement of an end, in steps, of the family'"'"'s scenes on the host (the"
             print "clipper: area over length), as in the tables over bits in [the report](README.md). Cost per facet, segment, edge, face or vertex of"
-            print "the kernel alone: instructions, on the RP2040 cycles, and their time at 125 MHz. What is not a board'"'"'s to vary: the bits of a page'"'"'s"
+            print "the kernel alone: instructions, on the RP2040 cycles, and their time at 133 MHz. What is not a board'"'"'s to vary: the bits of a page'"'"'s"
             print "lattice in the motion (a step is a step), and float and double, which no kernel uses.\n"
             print "| kernel | family | bits | error | Cortex-M0 | Cortex-M3 | RP2040 cycles | RP2040 |"
             print "|---|---|--:|--:|--:|--:|--:|--:|"
@@ -72,7 +72,7 @@ awk -F '\t' '/^(perimeter|windows|horizon|convex|area|halo|clip)/ {
     print "(convex, halo), face that looks at the eye (area sort) and vertex (clip), of scenes that a Pico has room for. The scenes are the same"
     print "everywhere; so are the pieces and the operations (tests/emu/test_same.sh). As shipped; the last column says what 0, 2, 4 and 8 bits below a"
     print "step would take instead: [every row, beside its error](boards.md).\n"
-    print "| kernel | family | bits | Cortex-M0 | Cortex-M3 | RP2040 cycles | RP2040 at 125 MHz | with 0 to 8 bits |"
+    print "| kernel | family | bits | Cortex-M0 | Cortex-M3 | RP2040 cycles | RP2040 at 133 MHz | with 0 to 8 bits |"
     print "|---|---|---|--:|--:|--:|--:|--:|"
     for (i = 1; i <= n; i++) {
         split(first[order[i]], f, "\t")
@@ -80,7 +80,7 @@ awk -F '\t' '/^(perimeter|windows|horizon|convex|area|halo|clip)/ {
             printf "| %s | %s | %s | does not fit into a Pico | | | | |\n", f[1], f[2], f[3]
         else
             printf "| %s | %s | %s | %.0f | %.0f | %.0f | %.1f us | %.0f to %.0f %% |\n", f[1], f[2], f[3], f[5] / f[4], f[6] / f[4], f[7] / f[4], \
-                f[7] / f[4] / 125, least[order[i]], most[order[i]]
+                f[7] / f[4] / 133, least[order[i]], most[order[i]]
     }
 }' "$out/boards.tsv"
 awk -F '\t' '$1 ~ /^(Q|float|double|num_t)/ { line[++n] = $0 } END {
