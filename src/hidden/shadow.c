@@ -8,6 +8,7 @@
 
 #define OPEN_MOST 8
 #define DEPTH_OFF 4 /* depths are rounded */
+#define STEEP_BITS 10
 
 /* Parts of the line left and right of which it is not hidden. */
 typedef struct clip {
@@ -66,6 +67,14 @@ static bool clip_by_plane(const shadows_t *s, const shadow_t *shadow, int32_t fa
     return touches || clip_by(c, at[0], at[1], sign_a, sign_b);
 }
 
+/* Does a line that is in front of a plane by no more than it may be off, and reaches -least below it, go through it
+ * steeply: is it in front only for a crumb, 2 SOLID_FLAT << STEEP_BITS units long? One as flat may run along a face
+ * that is much smaller than itself, and whose plane is off so far from it by as much as the line is behind. */
+static inline bool is_steep(const solid_vertex_t *const end[2], int64_t least, int64_t size) {
+    const solid_delta_t d = solid_sub(end[1], end[0]);
+    return -least >= (int64_t)((solid_abs(d.d[0]) + solid_abs(d.d[1]) + solid_abs(d.d[2])) >> STEEP_BITS) * size;
+}
+
 /* Touching is not hidden, and a line that ends in touching does not cross. */
 static inline bool clip_by_planes(const shadows_t *s, const shadow_t *shadow, const shadow_line_t *line, clip_t *c) {
     const solid_vertex_t *vertex = s->map->solid->vertex, *const end[2] = {&vertex[line->v[0]], &vertex[line->v[1]]};
@@ -78,7 +87,8 @@ static inline bool clip_by_planes(const shadows_t *s, const shadow_t *shadow, co
                       most = a < b ? b : a, least = a < b ? a : b;
         if (most <= -SHADOW_NEAR) continue;
         if (least >= SHADOW_NEAR) return false;
-        const bool touches = most <= (int64_t)(solid_abs(x) + solid_abs(y) + solid_abs(z)) * (2 * SOLID_FLAT);
+        const int64_t size = (int64_t)(solid_abs(x) + solid_abs(y) + solid_abs(z));
+        const bool touches = most <= size * (2 * SOLID_FLAT) && is_steep(end, least, size);
         if (touches && least <= -SHADOW_NEAR) continue;
         if (!clip_by_plane(s, shadow, p->face, end, touches, c)) return false;
     }

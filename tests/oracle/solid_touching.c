@@ -102,13 +102,13 @@ static void nested(solid_ref_t *r, int n) {
     }
 }
 
-/* Boxes one on the other; edges of some over the middle of others. */
+/* Boxes one on the other, edges of some over the middle of others; or into it, flush below and often in a side. */
 static void stack(solid_ref_t *r, int n) {
     double z = 0;
     for (int k = 0; k < n; k++) {
         const double h = pick(2) ? 1 : uniform(.05, 1), x = pick(5) / 4., y = pick(5) / 4.;
         box(r, x, y, z, 1 + pick(3) / 2., 1 + pick(3) / 2., h);
-        z += h;
+        z += pick(4) ? h : 0;
     }
 }
 
