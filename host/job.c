@@ -129,7 +129,9 @@ static int write_outputs(job_t *job, const machine_t *machine, char *const *name
         if (err == ERR_FILE && errno)
             fprintf(stderr, "ridgeline: %s: %s\n", name[i], strerror(errno));
         else
-            fprintf(stderr, "ridgeline: %s: %s\n", name[i], error_text(err));
+            fprintf(stderr, "ridgeline: %s: %s\n", name[i],
+                    err == ERR_MACHINE ? "the paper reaches beyond the machine: set paper, or set machine size"
+                                       : error_text(err));
         job->trouble = err;
         return err;
     }

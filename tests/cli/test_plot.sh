@@ -154,7 +154,7 @@ data_that_is_no_data_is_named() {
 what_the_machine_cannot_reach_leaves_no_trace() {
     small_scene
     expect_status 1 ridgeline plot small.gp --set 'set machine size 100,100' -o a.vcd 2>err
-    expect_text err 'outside the limits of the machine'
+    expect_text err 'the paper reaches beyond the machine'
     [ ! -e a.vcd ]
 }
 

@@ -2,11 +2,11 @@
 comma := ,
 BARE := $(EMUDIR)/bare
 # A core: its compiler's name for it, code, data and top of the stack. m0 is the micro:bit's memory; the others, which are to hold large
-# scenes, the AN385's (a Cortex-M3, which runs a Cortex-M0's instructions as they are) and a Pico's RAM.
+# scenes, the AN385's (a Cortex-M3, which runs a Cortex-M0's instructions as they are) and a Pico's flash and RAM.
 BARE_m0     := -mcpu=cortex-m0 0 0x20000000 0x20004000
 BARE_m0an   := -mcpu=cortex-m0 0 0x20000000 0x20400000
 BARE_m3     := -mcpu=cortex-m3 0 0x20000000 0x20400000
-BARE_rp2040 := -mcpu=cortex-m0plus 0x20000000 0x2001e000 0x20042000
+BARE_rp2040 := -mcpu=cortex-m0plus 0x10000000 0x20000000 0x20042000
 BARE_CFLAGS := -std=c11 -O2 -ffreestanding -ffunction-sections -fdata-sections $(WARN) -MMD -MP -Isrc -I.
 bare_lds     = -nostartfiles --specs=nano.specs -mthumb -Wl,--gc-sections -Wl,--fatal-warnings -T tests/emu/bare/bare.ld \
     $(foreach k,2 3 4,-Wl,--defsym=$(word $k,- CODE DATA STACK)=$(word $k,$(or $(BARE_$1_$2),$(BARE_$1))))
@@ -54,9 +54,8 @@ BOARD_NEEDS += $(BARE_SAME)
 BARE_SRC_count  := tests/emu/bare/formats.c tests/report/lattice.c
 BARE_LDS_count  := $(addprefix -Wl$(comma)--wrap=,chart_row horizons_clip windows_insert)
 BARE_LIBS_count := -lm
-# Solids apart: a Pico's RAM does not take the code of both. Once for each number of bits of their lattice, which two
+# Solids apart: once for each number of bits of their lattice, which two
 # sources know (scene/solid.h); all others are those of the program that is shipped.
-BARE_rp2040_count_solids := -mcpu=cortex-m0plus 0x20000000 0x20023000 0x20042000
 BARE_DEFS_count_solids := -DCOUNT_BYTES=98304 -D_DEFAULT_SOURCE
 BARE_SRC_count_solids  := tests/emu/bare/count_bodies.c tests/oracle/halo_scenes.c src/lang/settings.c src/motion/machine.c
 BARE_LIBS_count_solids := -lm

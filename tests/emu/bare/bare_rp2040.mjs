@@ -1,4 +1,4 @@
-// bare_rp2040.mjs - runs a program of bare.h in rp2040js, from RAM: prints what it prints, and writes its cycles down at each
+// bare_rp2040.mjs - runs a program of bare.h in rp2040js, from flash: prints what it prints, and writes its cycles down at each
 // bare_mark().
 //
 //     node bare_rp2040.mjs PROGRAM.bin MARK_ADDRESS OUT.txt
@@ -9,7 +9,7 @@ const require = createRequire(pathToFileURL(process.env.EMU_MODULES + '/'));
 const { RP2040 } = require('rp2040js');
 
 const [image, markAt, out] = process.argv.slice(2);
-const RAM = 0x20000000;
+const FLASH = 0x10000000;
 const mcu = new RP2040();
 const { core } = mcu;
 let done = false, failed = false;
@@ -18,7 +18,7 @@ const complain = (from, text) => {
   failed = done = true;
 };
 mcu.logger = { debug() {}, info() {}, warn: complain, error: complain };
-mcu.sram.set(readFileSync(image));
+mcu.flash.set(readFileSync(image));
 mcu.onBreak = (code) => {
   const [r0, r1] = core.registers;
   if (code !== 0xab) complain('core', `breakpoint ${code}`);
@@ -32,7 +32,7 @@ mcu.onBreak = (code) => {
     failed = r0 !== 0x18 || r1 !== 0x20026;
   }
 };
-core.VTOR = RAM;
+core.VTOR = FLASH;
 core.reset();
 const mark = parseInt(markAt, 16) & ~1;
 const counts = [];
