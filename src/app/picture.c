@@ -290,7 +290,8 @@ size_t picture_needs(const picture_t *p) {
     const plot_t *plot = p->plot;
     const enum hidden_mode hidden = plot->settings->hidden;
     const size_t rest = PATH_BYTES_MIN + 32 + (p->pauses ? WAITING_BYTES(p->hooks->waiting) + 16 : 0);
-    const bool boxes = CONFIG_SOLIDS && plot->kind == PLOT_SOLIDS && hidden != HIDDEN_HORIZON && hidden != HIDDEN_AREA;
+    const bool boxes = CONFIG_SOLIDS && plot->kind == PLOT_SOLIDS && hidden != HIDDEN_HORIZON &&
+                       (CONFIG_AREA || hidden != HIDDEN_AREA);
     if (p->stats.hidden.needs) return p->stats.hidden.needs + rest;
     if (boxes) return picture_solids_needs(p) + rest;
     return hiding_bytes(plot, EACH_ROUGH, false) + rest;

@@ -71,6 +71,19 @@ static size_t lone_faces(const picture_t *p, const mesh_t *sum) {
     return n;
 }
 
+/* The area sort's: with shadows there are the lit polygons, the view from a light and a part for their borders. */
+static size_t area_needs(const plot_t *plot, const mesh_t *sum) {
+#if CONFIG_AREA
+    const settings_t *set = plot->settings;
+    light_t light[LIGHTS_MAX];
+    if (!set->shadow) return area_least_bytes(sum->faces, sum->corners, 0);
+    return area_least_bytes(sum->faces, sum->corners, picture_lights(set, light)) + SOLID_MAP_BYTES(sum->nv);
+#else
+    (void)plot, (void)sum;
+    return 0;
+#endif
+}
+
 /* Edges have two faces each, of which half look at the eye; with haloes, a crossing for two edges. */
 size_t picture_solids_needs(const picture_t *p) {
     const plot_t *plot = p->plot;
@@ -81,7 +94,8 @@ size_t picture_solids_needs(const picture_t *p) {
     const size_t edges = corners / 2 + (size_t)sum.segments;
     const size_t kept = nv * sizeof(solid_vertex_t) + corners * sizeof(int32_t) +
                         faces * (sizeof(solid_face_t) + sizeof(solid_object_t)) + edges * sizeof(solid_edge_t);
-    const size_t hiding = plot->settings->hidden == HIDDEN_HALO
+    const size_t hiding = CONFIG_AREA && plot->settings->hidden == HIDDEN_AREA ? area_needs(plot, &sum)
+                          : plot->settings->hidden == HIDDEN_HALO
                               ? edges * (HALO_BYTES_PER_EDGE_LEAST + HALO_BYTES_PER_CROSSING / 2)
                               : 60 * faces + 8 * corners + 80 * lone_faces(p, &sum);
     return kept + surfaces_bytes(plot) + SOLID_MAP_BYTES(sum.nv) + hiding;

@@ -6,6 +6,9 @@
 #include "num/ints.h"
 
 #define CRACK 96 /* units of 2^-5 lat: what is no wider is no shadow (a hundredth of a step) */
+/* two lines that meet at an angle are near each other for a bit, and no crack */
+#define LEAST_OVERLAP (8 * CRACK)
+#define JOIN 3 /* units from a straight line that rounding at windows may leave */
 #define FRAC_BITS 26
 
 static bool lines_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, page_h_t *out) {
@@ -72,8 +75,7 @@ static bool overlap(const ruler_t *r, poly_point_t p, poly_point_t q, int64_t *f
     }
     *from = in < 0 ? 0 : in;
     *to = out > INK_ONE ? INK_ONE : out;
-    /* two lines that meet at an angle are near each other for a bit, and no crack */
-    return *from < *to && ints_muldiv_round(r->length, *to - *from, INK_ONE) > 8 * CRACK;
+    return *from < *to && ints_muldiv_round(r->length, *to - *from, INK_ONE) > LEAST_OVERLAP;
 }
 
 static poly_point_t place(const ruler_t *r, int64_t t) {
@@ -121,6 +123,46 @@ int borders_add(borders_t *b, const poly_t *p, int32_t tag) {
             }
         }
     return 0;
+}
+
+/* ---- what windows cut ---- */
+
+/* Does p lie on the line, but for what rounding leaves? */
+static bool is_on(const ruler_t *r, poly_point_t p) {
+    const int64_t across = r->ux * ((int64_t)p.y - r->a.y) - r->uy * ((int64_t)p.x - r->a.x);
+    return across <= JOIN * r->length && across >= -JOIN * r->length;
+}
+
+static bool is_close(int32_t a, int32_t b) {
+    return a - b <= CRACK && b - a <= CRACK;
+}
+
+/* Both run the same way round what is dark. */
+static bool join(border_t *s, const border_t *t) {
+    if (!is_close(s->end[1].x, t->end[0].x) || !is_close(s->end[1].y, t->end[0].y)) return false;
+    const ruler_t r = ruler(s->end[0], t->end[1]);
+    const int64_t ahead = r.ux * ((int64_t)s->end[1].x - s->end[0].x) + r.uy * ((int64_t)s->end[1].y - s->end[0].y),
+                  after = r.ux * ((int64_t)t->end[1].x - t->end[0].x) + r.uy * ((int64_t)t->end[1].y - t->end[0].y);
+    if (ahead <= 0 || after <= 0 || !is_on(&r, s->end[1]) || !is_on(&r, t->end[0])) return false;
+    s->end[1] = t->end[1];
+    return true;
+}
+
+void borders_join(borders_t *b, int32_t from) {
+    for (int32_t i = from; i < b->n; i++)
+        for (int32_t k = from; k < b->n;) {
+            if (k == i || !join(&b->list[i], &b->list[k])) {
+                k++;
+                continue;
+            }
+            b->list[k] = b->list[--b->n];
+            if (i == b->n) i = k; /* it was the last one and has moved */
+            k = from;
+        }
+    int32_t n = from;
+    for (int32_t k = from; k < b->n; k++)
+        if (ruler(b->list[k].end[0], b->list[k].end[1]).length > LEAST_OVERLAP) b->list[n++] = b->list[k];
+    b->n = n;
 }
 
 /* ---- all of them ---- */

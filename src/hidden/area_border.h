@@ -27,6 +27,9 @@ void borders_init(borders_t *b, void *mem, size_t bytes, const page_window_t *wi
 /* Adds the edges of p whose tag is `tag`, but for what runs back along another edge of p. Returns 0 or ERR_FULL. Cost:
  * edges times edges with that tag. */
 int borders_add(borders_t *b, const poly_t *p, int32_t tag);
+/* Of what was added from number `from` on, joins what windows cut (area_tone.h): lines that go on straight where
+ * another ends. Then it drops what is too short to be told from a crack. Cost: its square. */
+void borders_join(borders_t *b, int32_t from);
 /* Drops what lies on another: to be called once all are there. Cost: pairs that overlap along x. */
 void borders_settle(borders_t *b);
 

@@ -13,7 +13,7 @@
 #if CONFIG_AREA
 
 /* Of the memory, in eighths: to the parts of lines, and with hatching to the toner; the sort gets the rest. */
-enum { SHARES = 8, INTERVALS_SHARES = 2, TONE_SHARES = 3 };
+enum { SHARES = 8, INTERVALS_SHARES = 2, TONE_SHARES = 3, SHADED_SORT_SHARES = 3, SHADED_TONE_SHARES = 2 };
 /* The same for hatch lines, where shadows end at the border of a face only within what rounding leaves. */
 #define HATCH_LEAST_LAT (LAT_PER_MM / 10)
 /* Gaps up to this in an edge are closed and parts no longer left out (2^-5 lat on the finest lattice): where areas were
@@ -127,6 +127,21 @@ static int emit_borders(edge_ink_t *ink) {
     return 0;
 }
 
+/* What goes to the sort and to the toner. With shadows both have much that is there for every face whatever comes, so
+ * each gets that first, and its share of what is left. */
+static void divide(const solid_map_t *m, const area_tone_t *tone, size_t bytes, size_t *sort, size_t *toner) {
+    size_t part = bytes / SHARES & ~(size_t)7;
+    *toner = tone ? part * TONE_SHARES : 0;
+    if (tone && !tone->shadow && area_toner_bytes(m) < *toner) *toner = area_toner_bytes(m);
+    *sort = part * (SHARES - INTERVALS_SHARES) - *toner;
+    if (!tone || !tone->shadow) return;
+    const size_t sorts = area_fixed_bytes(m), tones = area_toner_fixed(m, tone);
+    if (sorts + tones >= bytes) return;
+    part = (bytes - sorts - tones) / SHARES;
+    *sort = (sorts + part * SHADED_SORT_SHARES) & ~(size_t)7;
+    *toner = (tones + part * SHADED_TONE_SHARES) & ~(size_t)7;
+}
+
 static bool has_clear(const solid_t *s) {
     for (int32_t o = 0; o < s->no; o++)
         if (s->object[o].clear) return true;
@@ -138,13 +153,12 @@ int area_draw(const solid_map_t *m, const area_tone_t *tone, const ink_sink_t *b
     *stats = (hidden_stats_t){.edges = m->solid->ne};
     edge_ink_t ink = {.lattice = area_lattice(m), .sink = job->sink, .stats = stats, .tone = tone};
     ink.clear = behind && has_clear(m->solid);
-    size_t part = job->bytes / SHARES & ~(size_t)7, tone_bytes = tone ? part * TONE_SHARES : 0;
-    if (tone && !tone->shadow && area_toner_bytes(m) < tone_bytes) tone_bytes = area_toner_bytes(m);
-    size_t sorted = 0, sort_bytes = part * (SHARES - INTERVALS_SHARES) - tone_bytes;
+    size_t sorted = 0, sort_bytes, tone_bytes;
+    divide(m, tone, job->bytes, &sort_bytes, &tone_bytes);
+    const size_t part = (job->bytes - sort_bytes - tone_bytes) / (ink.clear ? 2 : 1) & ~(size_t)7;
     uint8_t *mem = job->mem, *intervals = mem + sort_bytes + tone_bytes;
-    intervals_init(&ink.parts, intervals, part * INTERVALS_SHARES / (ink.clear ? 2 : 1));
+    intervals_init(&ink.parts, intervals, part);
     intervals_init(&ink.through, intervals + part, ink.clear ? part : 0);
-    _Static_assert(INTERVALS_SHARES == 2, "a share for each");
     int err = 0;
     if (tone) err = area_toner_make(&ink.toner, tone, m, mem + sort_bytes, tone_bytes, mem, sort_bytes);
     const area_sink_t sink = {.ctx = &ink, .polygon = take_polygon, .wire = take_wire, .again = forget};

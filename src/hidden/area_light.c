@@ -1,5 +1,6 @@
 /* area_light.c - see area_light.h. */
 #include "hidden/area_light.h"
+#include "hidden/area_limit.h"
 #include "hidden/area_mover.h"
 
 #include "error.h"
@@ -225,9 +226,33 @@ int lit_make(lit_t *s, const solid_map_t *m, const light_t *light, int32_t light
     return 0;
 }
 
-int lit_polygons(const lit_t *s, int32_t which, int32_t face, clip_out_t *out) {
+size_t lit_shrink(lit_t *s) {
+    s->words_max = s->words;
+    return (lit_bytes(s->m, s->lights) + (size_t)s->words * sizeof(int32_t) + 7) & ~(size_t)7;
+}
+
+/* A block in a window. */
+static int limit(const int32_t *block, const area_box_t *window, clip_out_t *out) {
+    const int32_t *end = block + HEAD, *w = end + block[CONTOURS];
+    area_limit_t l;
+    area_limit_init(&l, window, POLY_CUT, out);
+    for (int32_t c = 0, k = 0; c < block[CONTOURS]; c++) {
+        int err = 0;
+        for (; k < end[c] && !err; k++) err = area_limit_put(&l, (poly_point_t){w[2 * k], w[2 * k + 1]});
+        if (!err) err = area_limit_close(&l);
+        if (err) return err;
+    }
+    return 0;
+}
+
+int lit_polygons(const lit_t *s, int32_t which, int32_t face, const area_box_t *window, clip_out_t *out) {
     for (int32_t at = s->head[which * s->m->solid->nf + face]; at >= 0; at = s->word[at + NEXT]) {
         const int32_t *block = s->word + at, *end = block + HEAD, *w = end + block[CONTOURS];
+        if (window) {
+            int err = limit(block, window, out);
+            if (err) return err;
+            continue;
+        }
         if (out->n + block[VERTICES] > out->n_max || out->contours + block[CONTOURS] > out->contours_max)
             return ERR_FULL;
         for (int32_t k = 0, before = 0; k < block[CONTOURS]; before = end[k++])

@@ -45,8 +45,11 @@ size_t lit_bytes(const solid_map_t *m, int32_t lights);
  * direction that is none; ERR_LIGHT for a point light within the scene, or nearly. Cost: a sort for each light. */
 int lit_make(lit_t *s, const solid_map_t *m, const light_t *light, int32_t lights, void *mem, size_t bytes,
              void *sort_mem, size_t sort_bytes);
+/* Gives back what it did not take of mem; returns what it keeps. */
+size_t lit_shrink(lit_t *s);
 /* Copies all that light `which` reaches of a face into out, whose arrays have room for n_max vertices and as many
- * contours: together they are that (clip.h's nonzero rule). Returns 0 or ERR_FULL. */
-int lit_polygons(const lit_t *s, int32_t which, int32_t face, clip_out_t *out);
+ * contours: together they are that (clip.h's nonzero rule); with a window, as far as it lies within (area_limit.h).
+ * Returns 0 or ERR_FULL. */
+int lit_polygons(const lit_t *s, int32_t which, int32_t face, const area_box_t *window, clip_out_t *out);
 
 #endif

@@ -1,5 +1,6 @@
 /* area_tone.c - see area_tone.h. */
 #include "hidden/area_tone.h"
+#include "hidden/area_limit.h"
 #include "hidden/area_patch.h"
 
 #include "error.h"
@@ -8,13 +9,16 @@
 
 #if CONFIG_AREA
 
-/* Where there are patches, a part of the toner's memory is theirs. The rest, in sixteenths: lit polygons; those of one
- * face; parts before and after a light; the clipper.
+/* Where there are patches, a part of the toner's memory is theirs. What lit polygons leave of the rest, in tenths:
+ * those of one face; parts before and after a light; the clipper.
  */
 #define LEAST_BYTES 1024
+#define LIT_EACH 32 /* what a light reaches of a face is some quadrilateral, or nothing */
 #define PATCH_PART 4
-enum { LIT_SHARE = 6, FACE_SHARE = 2, PARTS_SHARE = 2, SHARES = 16 };
+enum { FACE_SHARE = 2, PARTS_SHARE = 1, SHARES = 10 };
 
+#define WINDOWS_DEEP 16
+#define WINDOW_LEAST_LAT (LAT_PER_MM / 8)
 #define PARTS_MOST (1 << LIGHTS_MAX)
 enum { OWN = 0 }; /* tag of edges that are no border of a shadow */
 
@@ -66,6 +70,11 @@ size_t area_toner_bytes(const solid_map_t *m) {
     return eights(sizeof(area_toner_t)) + LEAST_BYTES;
 }
 
+size_t area_toner_fixed(const solid_map_t *m, const area_tone_t *tone) {
+    const size_t each = LIT_EACH * (size_t)m->solid->nf * (size_t)tone->lights;
+    return eights(sizeof(area_toner_t)) + lit_bytes(m, tone->lights) + each;
+}
+
 /* The length of the sum of all directions: at least 1, or opposite lights would leave nothing. */
 static int64_t full_light(const area_toner_t *t) {
     num_t sum[3], length2 = num_from_i64(0), one = num_from_i64(1);
@@ -114,16 +123,16 @@ int area_toner_make(area_toner_t **toner, const area_tone_t *tone, const solid_m
     t->clip_mem = at;
     t->clip_bytes = left;
     if (!tone->shadow) return 0;
-    const size_t fixed = lit_bytes(m, tone->lights);
-    if (left < fixed + LEAST_BYTES) return ERR_FULL;
-    const size_t share = (left - fixed) / SHARES & ~(size_t)7;
-    const size_t lit = fixed + share * LIT_SHARE;
-    uint8_t *lit_mem = at;
+    int err = lit_make(&t->lit, m, tone->light, tone->lights, at, left, sort_mem, sort_bytes);
+    if (err) return err;
+    const size_t lit = lit_shrink(&t->lit);
+    if (left < lit + LEAST_BYTES) return ERR_FULL;
+    const size_t share = (left - lit) / SHARES & ~(size_t)7;
     at = lay_out_store(&t->face, at + lit, share * FACE_SHARE);
     for (int k = 0; k < 2; k++) at = lay_out_store(&t->parts[k], at, share * PARTS_SHARE);
     t->clip_mem = at;
-    t->clip_bytes = share * (SHARES - LIT_SHARE - FACE_SHARE - 2 * PARTS_SHARE);
-    return lit_make(&t->lit, m, tone->light, tone->lights, lit_mem, lit, sort_mem, sort_bytes);
+    t->clip_bytes = share * (SHARES - FACE_SHARE - 2 * PARTS_SHARE);
+    return 0;
 }
 
 /* ---- parts of a polygon ---- */
@@ -180,16 +189,28 @@ static int part_by(area_toner_t *t, const poly_t *lit, int64_t slope_q30) {
     return 0;
 }
 
-/* The whole polygon as the first part. */
-static int begin(area_toner_t *t, const poly_t *p) {
-    const int32_t n = poly_vertices(p);
+/* The polygon, or what of it lies in a window, as the first part. */
+static int begin(area_toner_t *t, const poly_t *p, const area_box_t *window) {
     store_t *s = &t->parts[0];
-    if (n > s->most || p->contours > s->most) return ERR_FULL;
-    for (int32_t k = 0; k < n; k++) s->v[k] = (poly_vertex_t){p->v[k].at, OWN};
-    for (int32_t k = 0; k < p->contours; k++) s->end[k] = p->end[k];
-    t->part[0][0] = (part_t){{s->v, s->end, p->contours}, 0};
-    t->n = 1;
-    return 0;
+    clip_out_t out = {.v = s->v, .end = s->end, .n_max = s->most, .contours_max = s->most};
+    area_limit_t l;
+    int err = 0;
+    if (window) {
+        area_limit_init(&l, window, OWN, &out);
+        for (int32_t c = 0, k = 0; c < p->contours && !err; c++) {
+            for (; k < p->end[c] && !err; k++) err = area_limit_put(&l, p->v[k].at);
+            if (!err) err = area_limit_close(&l);
+        }
+    } else {
+        const int32_t n = poly_vertices(p);
+        if (n > s->most || p->contours > s->most) return ERR_FULL;
+        for (int32_t k = 0; k < n; k++) s->v[k] = (poly_vertex_t){p->v[k].at, OWN};
+        for (int32_t k = 0; k < p->contours; k++) s->end[k] = p->end[k];
+        out.contours = p->contours;
+    }
+    t->part[0][0] = (part_t){{s->v, s->end, out.contours}, 0};
+    t->n = out.contours > 0;
+    return err;
 }
 
 /* A visible polygon on its way to tones. */
@@ -207,21 +228,71 @@ static int hatch(const toning_t *w, const poly_t *p, int64_t bright_q30, int32_t
     return hatch_polygon(t->tone.hatch, p, hatch_tone_of(share_q30), w->first_line, w->to);
 }
 
-static int tone_part(void *ctx, const poly_t *p, int32_t percent) {
-    const toning_t *w = ctx;
+/* A polygon, or what of it lies in a window. */
+static int tone_window(const toning_t *w, const poly_t *p, const area_box_t *window, int32_t percent) {
     area_toner_t *t = w->t;
-    if (!t->tone.shadow || w->all == 0) return hatch(w, p, w->all, percent);
-    int err = begin(t, p);
+    area_box_t around = {0};
+    int err = begin(t, p, window);
+    if (window) { /* what the light reaches ends outside of it, so that no border of a shadow runs along it */
+        const int32_t lat = 1 << t->lattice.bits;
+        around = (area_box_t){window->x0 - lat, window->y0 - lat, window->x1 + lat, window->y1 + lat};
+    }
     for (int32_t l = 0; l < t->tone.lights && !err; l++) {
-        if (w->slope[l] == 0) continue;
+        if (w->slope[l] == 0 || t->n == 0) continue;
         clip_out_t lit = {.v = t->face.v, .end = t->face.end, .n_max = t->face.most, .contours_max = t->face.most};
-        err = lit_polygons(&t->lit, l, w->face, &lit);
+        err = lit_polygons(&t->lit, l, w->face, window ? &around : NULL, &lit);
         if (lit.n > t->lit_most) t->lit_most = lit.n;
         const poly_t reached = {lit.v, lit.end, lit.contours};
         if (!err && reached.contours) err = part_by(t, &reached, w->slope[l]);
     }
     for (int32_t k = 0; k < t->n && !err; k++) err = hatch(w, &t->part[0][k].p, t->part[0][k].bright_q30, percent);
     return err;
+}
+
+typedef struct tone_box {
+    area_box_t box;
+    int32_t level;
+} tone_box_t;
+
+/* Puts what is to be done instead of a window in its place: after the whole polygon at once (level 0), its box, where
+ * all that the light reaches elsewhere is left out; then the halves across the longer side. Returns how many: 0 if
+ * windows get no smaller. */
+static int32_t divide(tone_box_t part[2], int bits) {
+    const area_box_t b = part[0].box;
+    const bool wide = b.x1 - b.x0 >= b.y1 - b.y0;
+    const int32_t from = wide ? b.x0 : b.y0, size = (wide ? b.x1 : b.y1) - from;
+    if (part[0].level++ == 0) return 1;
+    if (part[0].level > WINDOWS_DEEP || size >> bits < WINDOW_LEAST_LAT) return 0;
+    part[1] = part[0];
+    *(wide ? &part[0].box.x1 : &part[0].box.y1) = from + size / 2;
+    *(wide ? &part[1].box.x0 : &part[1].box.y0) = from + size / 2;
+    return 2;
+}
+
+/* Where there is no memory for a polygon at once, it is done window by window. */
+static int tone_part(void *ctx, const poly_t *p, int32_t percent) {
+    const toning_t *w = ctx;
+    area_toner_t *t = w->t;
+    borders_t *b = t->tone.borders;
+    if (!t->tone.shadow || w->all == 0) return hatch(w, p, w->all, percent);
+    const int32_t all = b ? b->n : 0;
+    tone_box_t todo[WINDOWS_DEEP + 2] = {{area_box_of(p->v, poly_vertices(p)), 0}};
+    for (int32_t n = 1; n > 0;) {
+        const tone_box_t *now = &todo[--n];
+        const int32_t before = b ? b->n : 0;
+        int err = tone_window(w, p, now->level ? &now->box : NULL, percent);
+        if (err == ERR_FULL &&
+            !(b && b->n == b->n_max)) { /* a light before the one that failed may have left borders */
+            const int32_t parts = divide(&todo[n], t->lattice.bits);
+            if (b) b->n = before;
+            if (parts) err = 0;
+            n += parts;
+        } else if (!err && b && now->level && n == 0) {
+            borders_join(b, all);
+        }
+        if (err) return err;
+    }
+    return 0;
 }
 
 int area_toner_polygon(area_toner_t *t, int32_t face, const poly_t *p, int32_t first_line, intervals_t *to) {

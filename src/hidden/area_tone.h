@@ -5,6 +5,9 @@
  * cosines of the lights that reach it, as a share of what a face gets that is turned squarely to all of them; hatch.h
  * makes tones of it. What no light reaches has the darkest.
  *
+ * Where the memory is too small for a polygon and what the light reaches of it at once, it is done window by window
+ * (area_limit.h), like the sort: hatch lines and borders are joined again where windows cut them.
+ *
  * Borders of shadows, if they are wanted, are the edges that the clipper finds between a part that a light reaches and
  * one that it does not (area_border.h), each once. */
 #ifndef AREA_TONE_H
@@ -28,6 +31,8 @@ typedef struct area_toner area_toner_t;
 
 /* What the toner takes when there are no shadows; with them it takes what there is. */
 size_t area_toner_bytes(const solid_map_t *m);
+/* With shadows: what it takes before anything is toned, about. */
+size_t area_toner_fixed(const solid_map_t *m, const area_tone_t *tone);
 /* Sorts the scene from the lights. mem (aligned to 8) is kept, sort_mem only lent. Returns 0; ERR_FULL; ERR_VALUE or
  * ERR_LIGHT for a light that cannot be used (area_light.h). */
 int area_toner_make(area_toner_t **toner, const area_tone_t *tone, const solid_map_t *m, void *mem, size_t bytes,

@@ -169,7 +169,7 @@ static bool lit_says(const lit_scene_t *c, int32_t f, int l, const double at[2])
     static poly_vertex_t v[100000];
     static int32_t end[100000];
     clip_out_t out = {.v = v, .end = end, .n_max = 100000, .contours_max = 100000};
-    assert_int_equal(lit_polygons(&c->lit, l, f, &out), 0);
+    assert_int_equal(lit_polygons(&c->lit, l, f, NULL, &out), 0);
     int winding = 0;
     for (int32_t k = 0, first = 0; k < out.contours; first = out.end[k++])
         for (int32_t i = first; i < out.end[k]; i++) {
