@@ -103,11 +103,13 @@ static void note_bytes(const area_t *a) {
 static void look_for_cuts(area_t *a, const area_box_t *w) {
     for (int32_t i = 0; i < a->faces.n; i++) {
         area_face_t *f = &a->faces.face[i];
-        if (!area_boxes_meet(&f->box, w)) continue;
-        for (int32_t k = i + 1; k < a->faces.n; k++) {
+        if (!f->body || !area_boxes_meet(&f->box, w)) continue;
+        for (int32_t k = 0; k < a->faces.n; k++) {
             area_face_t *g = &a->faces.face[k];
-            if ((!f->body && !g->body) || !area_boxes_meet(&f->box, &g->box) || !area_boxes_meet(&g->box, w)) continue;
-            if (area_bodies_compare(&a->faces, i, k) == AREA_APART_UNKNOWN) f->broken = g->broken = true;
+            if (g->body && k <= i) continue; /* two bodies are compared once */
+            if (!area_boxes_meet(&f->box, &g->box) || !area_boxes_meet(&g->box, w)) continue;
+            const int32_t first = i < k ? i : k, second = i < k ? k : i;
+            if (area_bodies_compare(&a->faces, first, second) == AREA_APART_UNKNOWN) f->broken = g->broken = true;
         }
     }
 }
