@@ -33,7 +33,7 @@ static bool is_flat_cut(const poly_t *p, const area_plane_t *apart, int64_t unit
     return false;
 }
 
-static void roughen(area_t *a, const area_face_t *f) {
+void area_roughen(area_t *a, const area_face_t *f) {
     int32_t from, to;
     if (!f->body) {
         if (!f->holed) a->state[f->face] = AREA_ROUGH;
@@ -49,8 +49,8 @@ static void look_at_cut(area_t *a, const poly_t *p, const area_face_t *s, const 
                         const area_plane_t *apart, int64_t slack) {
     const int64_t units = LEAST_THROUGH + slack / area_plane_slope(apart);
     const poly_t whole = {a->faces.vertex + c->first, &c->n, 1};
-    if (is_flat_cut(p, apart, units)) roughen(a, s);
-    if (is_flat_cut(&whole, apart, units)) roughen(a, c);
+    if (is_flat_cut(p, apart, units)) area_roughen(a, s);
+    if (is_flat_cut(&whole, apart, units)) area_roughen(a, c);
 }
 
 /* Where the polygon p of face `of` is to face `than`. Where they differ most decides, of the corners where they differ
@@ -151,8 +151,8 @@ static int clip_piece(area_t *a, int32_t piece, int32_t by, area_list_t *in, are
     }
     int err = area_weld(&w, &subject, &pool->piece[piece].box, &whole, &f->box, a->clip_mem, a->clip_bytes, &used);
     if (err) return err;
-    if (w.changed && f->sharp) roughen(a, f);
-    if (w.changed && a->faces.face[face].sharp) roughen(a, &a->faces.face[face]);
+    if (w.changed && f->sharp) area_roughen(a, f);
+    if (w.changed && a->faces.face[face].sharp) area_roughen(a, &a->faces.face[face]);
     if (w.changed) err = keep_front(a, piece, by, in);
     if (err) return err;
     const clip_job_t job = {w.subject, w.clip, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_OUTSIDE}};
@@ -221,108 +221,6 @@ static int clip_list(area_t *a, area_list_t list, int32_t by, area_list_t *in, a
     return 0;
 }
 
-/* Takes a visible polygon out of what is open. */
-static int cover(area_t *a, const poly_t *p) {
-    const clip_job_t job = {*a->open, *p, CLIP_EVEN_ODD, {CLIP_OUTSIDE, CLIP_NOTHING}};
-    int err = clip_run(&a->clip, &job, a->clip_mem, a->clip_bytes);
-    if (err) return err;
-    a->which = !a->which;
-    clip_out_t *to = &a->store[a->which];
-    to->n = to->contours = 0;
-    err = clip_trace(&a->clip, 0, to);
-    *a->open = (poly_t){to->v, to->end, to->contours};
-    return err;
-}
-
-static int give(area_t *a, int32_t face, const poly_t *p) {
-    a->stats->visible++;
-    const int err = a->sink->polygon(a->sink->ctx, a->faces.face[face].face, p);
-    a->sink_failed |= err != 0;
-    return err;
-}
-
-/* Does a border of p that is not one of the silhouette's come so near to a box that a weld might move it there? */
-#define NEAR_CUT 16
-static bool is_cut_near(const poly_t *p, const area_box_t *box) {
-    for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++])
-        for (int32_t k = first; k < p->end[c]; k++) {
-            const poly_point_t a = p->v[k].at, b = p->v[k + 1 < p->end[c] ? k + 1 : first].at;
-            if (p->v[k].tag < 0 && (a.x < b.x ? b.x : a.x) + NEAR_CUT >= box->x0 &&
-                (a.x < b.x ? a.x : b.x) - NEAR_CUT <= box->x1 && (a.y < b.y ? b.y : a.y) + NEAR_CUT >= box->y0 &&
-                (a.y < b.y ? a.y : b.y) - NEAR_CUT <= box->y1)
-                return true;
-        }
-    return false;
-}
-
-/* Even-odd. */
-static bool is_in(const poly_t *p, poly_point_t at) {
-    bool in = false;
-    for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++]) {
-        poly_point_t a = p->v[p->end[c] - 1].at;
-        for (int32_t k = first; k < p->end[c]; k++) {
-            const poly_point_t b = p->v[k].at;
-            if ((a.y > at.y) != (b.y > at.y) && (poly_orient(a, b, at) > 0) == (b.y > a.y)) in = !in;
-            a = b;
-        }
-    }
-    return in;
-}
-
-/* The mean of a convex polygon's corners. */
-static poly_point_t middle_of(const poly_vertex_t *v, int32_t n) {
-    int64_t x = 0, y = 0;
-    for (int32_t k = 0; k < n; k++) x += v[k].at.x, y += v[k].at.y;
-    return (poly_point_t){(int32_t)(x / n), (int32_t)(y / n)};
-}
-
-/* Of part k of a body what is in a piece of its silhouette. */
-static int show_part(area_t *a, int32_t piece, int32_t k) {
-    const area_face_t *f = &a->faces.face[k];
-    const poly_t whole = {a->faces.vertex + f->first, &f->n, 1}, by = area_pool_poly(&a->pool, piece);
-    const area_box_t *box = &a->pool.piece[piece].box;
-    area_weld_t w;
-    size_t used;
-    if (a->pool.piece[piece].block == AREA_NONE) return give(a, k, &whole);
-    if (!area_boxes_meet(&f->box, box)) return 0;
-    if (!is_cut_near(&by, &f->box)) return is_in(&by, middle_of(whole.v, f->n)) ? give(a, k, &whole) : 0;
-    if (area_apart(&whole, &by)) return 0;
-    int err = area_weld(&w, &whole, &f->box, &by, box, a->clip_mem, a->clip_bytes, &used);
-    if (err) return err;
-    if (w.changed && f->sharp) roughen(a, f);
-    const clip_job_t job = {w.subject, w.clip, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_NOTHING}};
-    err = clip_run(&a->clip, &job, (uint8_t *)a->clip_mem + used, a->clip_bytes - used);
-    const int32_t seen = err ? AREA_NONE : area_pool_clipped(&a->pool, k, &a->clip, 0, &err);
-    if (seen == AREA_NONE) return err;
-    const poly_t p = area_pool_poly(&a->pool, seen);
-    err = give(a, k, &p);
-    area_pool_drop(&a->pool, seen);
-    return err;
-}
-
-static int show_body(area_t *a, int32_t piece) {
-    int32_t from, to;
-    area_body_parts(&a->faces, a->pool.piece[piece].face, &from, &to);
-    for (int32_t k = from; k < to; k++) {
-        const int err = show_part(a, piece, k);
-        if (err) return err;
-    }
-    return 0;
-}
-
-static int show(area_t *a, area_list_t list) {
-    for (int32_t k = list.first, next; k != AREA_NONE; k = next) {
-        next = a->pool.piece[k].next;
-        const poly_t p = area_pool_poly(&a->pool, k);
-        const int32_t face = a->pool.piece[k].face;
-        int err = a->faces.face[face].body ? show_body(a, k) : give(a, face, &p);
-        if (!err && a->open) err = cover(a, &p);
-        if (err) return err;
-        area_pool_drop(&a->pool, k);
-    }
-    return 0;
-}
-
 /* The first polygon of a list that does not clip this area already, or AREA_NONE. */
 static int32_t next_clip(const area_t *a, area_list_t list) {
     for (int32_t k = list.first; k != AREA_NONE; k = a->pool.piece[k].next)
@@ -346,7 +244,7 @@ int area_sort_list(area_t *a, area_list_t list) {
             list = in;
             continue;
         }
-        err = show(a, list);
+        err = area_show(a, list);
         if (err) return err;
         if (a->depth == 0) return 0;
         list = a->stack[--a->depth].outside;

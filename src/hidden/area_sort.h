@@ -29,6 +29,11 @@ typedef struct area {
 
 /* The part of a box where a plane is above 0: at most 6 vertices. */
 int32_t area_half_of(const area_box_t *box, const area_plane_t *plane, poly_vertex_t v[8]);
+/* Ends of a face's edges, or of those of a body's sharp faces, come out roughly: area_wires.h draws them. */
+void area_roughen(area_t *a, const area_face_t *f);
+/* Gives the visible pieces of a list to the sink, of a silhouette what is in each of its body's faces, and takes them
+ * out of what is open and of the pool. Returns 0, ERR_FULL or the sink's error. */
+int area_show(area_t *a, area_list_t list);
 /* Gives what is visible of a list of pieces, nearest first, to the sink. Returns 0, ERR_FULL or the sink's error. */
 int area_sort_list(area_t *a, area_list_t list);
 
