@@ -93,18 +93,14 @@ static int32_t limited(int64_t a) {
 
 enum { NEXT, CONTOURS, VERTICES, HEAD };
 
-/* A contour on its way to memory, clipped in space where the eye cannot have a picture of it: by one border after the
- * other (Sutherland & Hodgman), each of which keeps no more than where the contour began and where it is. */
+/* A contour on its way to memory, clipped in space where the eye cannot have a picture of it. */
 typedef struct lit_clip {
     lit_t *s;
     int32_t *w;
-    struct {
-        area_place_t first, last;
-        bool any;
-    } at[AREA_BORDERS];
+    REENTRANT_BORDER(area_place_t) at[AREA_BORDERS];
 } lit_clip_t;
 
-static int write_place(lit_clip_t *c, const area_place_t *p) {
+static int write(lit_clip_t *c, const area_place_t *p) {
     lit_t *s = c->s;
     const area_fine_t fine = area_fine(&s->eye_lattice, p);
     const poly_point_t at = area_round(&s->eye_lattice, &fine);
@@ -114,51 +110,20 @@ static int write_place(lit_clip_t *c, const area_place_t *p) {
     return 0;
 }
 
-/* Where the way from a to b crosses a border; false if it does not. */
-static bool crossing(const lit_clip_t *c, int32_t border, const area_place_t *a, const area_place_t *b,
-                     area_place_t *at) {
-    const int64_t a_by = area_inside(&c->s->eye_lattice, border, a), b_by = area_inside(&c->s->eye_lattice, border, b);
-    if ((a_by >= 0) == (b_by >= 0)) return false;
-    *at = a_by >= 0 ? area_cut(a, b, a_by, b_by) : area_cut(b, a, b_by, a_by);
-    return true;
+static int64_t inside_by(const lit_clip_t *c, int32_t border, const area_place_t *p) {
+    return area_inside(&c->s->eye_lattice, border, p);
 }
 
-/* The next place of a contour, for the borders from `border` on. */
-static int put_place(lit_clip_t *c, int32_t border, area_place_t p) {
-    struct {
-        area_place_t p;
-        int32_t border;
-    } todo[AREA_BORDERS + 2] = {{p, border}};
-    for (int32_t n = 1; n > 0;) {
-        p = todo[--n].p;
-        border = todo[n].border;
-        if (border == AREA_BORDERS) {
-            int err = write_place(c, &p);
-            if (err) return err;
-            continue;
-        }
-        area_place_t cut;
-        const bool crosses = c->at[border].any && crossing(c, border, &c->at[border].last, &p, &cut);
-        if (!c->at[border].any) c->at[border].first = p;
-        c->at[border].any = true;
-        c->at[border].last = p;
-        if (area_inside(&c->s->eye_lattice, border, &p) >= 0) todo[n].p = p, todo[n++].border = border + 1;
-        if (crosses) todo[n].p = cut, todo[n++].border = border + 1;
-    }
-    return 0;
+static bool is_inside(const lit_clip_t *c, int32_t border, const area_place_t *p) {
+    return inside_by(c, border, p) >= 0;
 }
 
-/* The way back to where the contour began. */
-static int close_contour(lit_clip_t *c, int32_t from) {
-    for (int32_t b = from; b < AREA_BORDERS; b++) {
-        area_place_t cut;
-        const bool crosses = c->at[b].any && crossing(c, b, &c->at[b].last, &c->at[b].first, &cut);
-        c->at[b].any = false;
-        int err = crosses ? put_place(c, b + 1, cut) : 0;
-        if (err) return err;
-    }
-    return 0;
+static area_place_t crossing(const lit_clip_t *c, int32_t border, const area_place_t *a, const area_place_t *b) {
+    const int64_t a_by = inside_by(c, border, a), b_by = inside_by(c, border, b);
+    return a_by >= 0 ? area_cut(a, b, a_by, b_by) : area_cut(b, a, b_by, a_by);
 }
+
+REENTRANT(lit_clip_t, area_place_t, AREA_BORDERS)
 
 static int take_lit(void *ctx, int32_t face, const poly_t *p) {
     lit_t *s = ctx;
@@ -173,8 +138,8 @@ static int take_lit(void *ctx, int32_t face, const poly_t *p) {
     for (int32_t k = 0, i = 0; k < p->contours; k++) {
         int32_t *const start = c.w;
         int err = 0;
-        for (; i < p->end[k] && !err; i++) err = put_place(&c, border, area_move(&mv, p->v[i].at));
-        if (!err) err = close_contour(&c, border);
+        for (; i < p->end[k] && !err; i++) err = put(&c, border, area_move(&mv, p->v[i].at));
+        if (!err) err = put_end(&c, border);
         if (err) return err;
         if (c.w - start < 2 * 3) c.w = start;
         end[k] = (int32_t)(c.w - vertices) / 2;

@@ -6,34 +6,32 @@
 
 #if CONFIG_AREA
 
-enum { BORDERS = 4 }; /* low and high x, low and high y */
-
 void area_limit_init(area_limit_t *l, const area_box_t *box, int32_t tag, clip_out_t *out) {
     *l = (area_limit_t){.box = *box, .tag = tag, .out = out, .begun = out->n};
 }
 
 static int32_t border_at(const area_limit_t *l, int32_t border) {
-    const int32_t at[BORDERS] = {l->box.x0, l->box.x1, l->box.y0, l->box.y1};
+    const int32_t at[AREA_LIMIT_BORDERS] = {l->box.x0, l->box.x1, l->box.y0, l->box.y1};
     return at[border];
 }
 
-static bool is_inside(const area_limit_t *l, int32_t border, poly_point_t p) {
-    const int32_t c = border < 2 ? p.x : p.y, at = border_at(l, border);
+static bool is_inside(const area_limit_t *l, int32_t border, const poly_point_t *p) {
+    const int32_t c = border < 2 ? p->x : p->y, at = border_at(l, border);
     return border & 1 ? c <= at : c >= at;
 }
 
 /* Where the line through a and b, which are on different sides, crosses the border: counted from the lower one. */
-static poly_point_t crossing(const area_limit_t *l, int32_t border, poly_point_t a, poly_point_t b) {
+static poly_point_t crossing(const area_limit_t *l, int32_t border, const poly_point_t *a, const poly_point_t *b) {
     const int64_t at = border_at(l, border);
     const bool x = border < 2;
-    if (x ? a.x > b.x : a.y > b.y) {
-        const poly_point_t swap = a;
+    if (x ? a->x > b->x : a->y > b->y) {
+        const poly_point_t *swap = a;
         a = b;
         b = swap;
     }
-    const int64_t dx = (int64_t)b.x - a.x, dy = (int64_t)b.y - a.y;
-    if (x) return (poly_point_t){(int32_t)at, a.y + (int32_t)ints_muldiv_round(dy, at - a.x, dx)};
-    return (poly_point_t){a.x + (int32_t)ints_muldiv_round(dx, at - a.y, dy), (int32_t)at};
+    const int64_t dx = (int64_t)b->x - a->x, dy = (int64_t)b->y - a->y;
+    if (x) return (poly_point_t){(int32_t)at, a->y + (int32_t)ints_muldiv_round(dy, at - a->x, dx)};
+    return (poly_point_t){a->x + (int32_t)ints_muldiv_round(dx, at - a->y, dy), (int32_t)at};
 }
 
 /* Are three points on one line along an axis? What lies in the middle, or beyond, bounds nothing. */
@@ -41,42 +39,18 @@ static bool is_spur(poly_point_t a, poly_point_t b, poly_point_t c) {
     return (a.x == b.x && b.x == c.x) || (a.y == b.y && b.y == c.y);
 }
 
-static int write(area_limit_t *l, poly_point_t p) {
+static int write(area_limit_t *l, const poly_point_t *p) {
     clip_out_t *out = l->out;
     poly_vertex_t *v = out->v;
-    while (out->n > l->begun && (poly_same(v[out->n - 1].at, p) ||
-                                 (out->n - l->begun >= 2 && is_spur(v[out->n - 2].at, v[out->n - 1].at, p))))
+    while (out->n > l->begun && (poly_same(v[out->n - 1].at, *p) ||
+                                 (out->n - l->begun >= 2 && is_spur(v[out->n - 2].at, v[out->n - 1].at, *p))))
         out->n--;
     if (out->n == out->n_max) return ERR_FULL;
-    v[out->n++] = (poly_vertex_t){p, l->tag};
+    v[out->n++] = (poly_vertex_t){*p, l->tag};
     return 0;
 }
 
-/* A place for the borders from `border` on. */
-static int put(area_limit_t *l, int32_t border, poly_point_t p) {
-    struct {
-        poly_point_t p;
-        int32_t border;
-    } todo[BORDERS + 2] = {{p, border}};
-    for (int32_t n = 1; n > 0;) {
-        p = todo[--n].p;
-        border = todo[n].border;
-        if (border == BORDERS) {
-            int err = write(l, p);
-            if (err) return err;
-            continue;
-        }
-        const bool inside = is_inside(l, border, p), any = l->at[border].any;
-        const poly_point_t last = l->at[border].last;
-        if (!any) l->at[border].first = p;
-        l->at[border].any = true;
-        l->at[border].last = p;
-        if (inside) todo[n].p = p, todo[n++].border = border + 1;
-        if (any && is_inside(l, border, last) != inside)
-            todo[n].p = crossing(l, border, last, p), todo[n++].border = border + 1;
-    }
-    return 0;
-}
+REENTRANT(area_limit_t, poly_point_t, AREA_LIMIT_BORDERS)
 
 int area_limit_put(area_limit_t *l, poly_point_t at) {
     return put(l, 0, at);
@@ -84,13 +58,8 @@ int area_limit_put(area_limit_t *l, poly_point_t at) {
 
 int area_limit_close(area_limit_t *l) {
     clip_out_t *out = l->out;
-    for (int32_t b = 0; b < BORDERS; b++) {
-        const poly_point_t first = l->at[b].first, last = l->at[b].last;
-        const bool crosses = l->at[b].any && is_inside(l, b, first) != is_inside(l, b, last);
-        l->at[b].any = false;
-        int err = crosses ? put(l, b + 1, crossing(l, b, last, first)) : 0;
-        if (err) return err;
-    }
+    const int err = put_end(l, 0);
+    if (err) return err;
     while (out->n > l->begun && poly_same(out->v[out->n - 1].at, out->v[l->begun].at)) out->n--;
     if (out->n - l->begun < 3) {
         out->n = l->begun;

@@ -1,26 +1,25 @@
 /* area_limit.h - what of a polygon lies in a window of the screen, a vertex at a time.
  *
- * Sutherland & Hodgman (1974, "Reentrant polygon clipping"): a contour goes through one border of the window after the
- * other, each of which keeps no more than where the contour began and where it is. So it takes no memory but what it
- * leaves, which is why it comes before the clipper where that has too little. A contour that leaves the window and
- * comes back runs along its border meanwhile, there and back; neither fill rule minds. Crossings are rounded to the
- * nearest lattice point, the same for an edge and for one that runs back along it: edges move by half a unit at most.
+ * It takes no memory but what it leaves (reentrant.h), which is why it comes before the clipper where that has too
+ * little. A contour that leaves the window and comes back runs along its border meanwhile, there and back; neither fill
+ * rule minds. Crossings are rounded to the nearest lattice point, the same for an edge and for one that runs back along
+ * it: edges move by half a unit at most.
  */
 #ifndef AREA_LIMIT_H
 #define AREA_LIMIT_H
 
 #include "hidden/area_face.h"
+#include "hidden/reentrant.h"
 #include "poly/clip.h"
+
+#define AREA_LIMIT_BORDERS 4 /* low and high x, low and high y */
 
 typedef struct area_limit {
     area_box_t box;
     int32_t tag; /* of all edges */
     clip_out_t *out;
     int32_t begun; /* where this contour begins in out */
-    struct {
-        poly_point_t first, last;
-        bool any;
-    } at[4];
+    REENTRANT_BORDER(poly_point_t) at[AREA_LIMIT_BORDERS];
 } area_limit_t;
 
 void area_limit_init(area_limit_t *l, const area_box_t *box, int32_t tag, clip_out_t *out);
