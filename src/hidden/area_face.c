@@ -19,6 +19,15 @@ area_box_t area_box_of(const poly_vertex_t *v, int32_t n) {
     return b;
 }
 
+int32_t area_box_halve(const area_box_t *box, area_box_t half[2]) {
+    const bool wide = box->x1 - box->x0 >= box->y1 - box->y0;
+    const int32_t from = wide ? box->x0 : box->y0, size = (wide ? box->x1 : box->y1) - from;
+    half[0] = half[1] = *box;
+    *(wide ? &half[0].x1 : &half[0].y1) = from + size / 2;
+    *(wide ? &half[1].x0 : &half[1].y0) = from + size / 2;
+    return size;
+}
+
 bool area_is_thin(const poly_t *p, const area_box_t *box) {
     int64_t area2 = poly_area2(p);
     return (area2 < 0 ? -area2 : area2) <= 2 * AREA_THIN * ((int64_t)box->x1 - box->x0 + box->y1 - box->y0);

@@ -12,6 +12,8 @@ static inline bool area_boxes_meet(const area_box_t *a, const area_box_t *b) {
     return a->x0 < b->x1 && b->x0 < a->x1 && a->y0 < b->y1 && b->y0 < a->y1;
 }
 area_box_t area_box_of(const poly_vertex_t *v, int32_t n);
+/* The halves across its longer side, whose length is returned; the first is the one at the lower end. */
+int32_t area_box_halve(const area_box_t *box, area_box_t half[2]);
 /* No wider than welds close from both sides (area_weld.c): the seam of two faces as rounding leaves it, or a face seen
  * edge-on. */
 #define AREA_THIN 16

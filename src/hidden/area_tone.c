@@ -258,14 +258,11 @@ typedef struct tone_box {
  * all that the light reaches elsewhere is left out; then the halves across the longer side. Returns how many: 0 if
  * windows get no smaller. */
 static int32_t divide(tone_box_t part[2], int bits) {
-    const area_box_t b = part[0].box;
-    const bool wide = b.x1 - b.x0 >= b.y1 - b.y0;
-    const int32_t from = wide ? b.x0 : b.y0, size = (wide ? b.x1 : b.y1) - from;
+    area_box_t half[2];
+    const int32_t size = area_box_halve(&part[0].box, half);
     if (part[0].level++ == 0) return 1;
     if (part[0].level > WINDOWS_DEEP || size >> bits < WINDOW_LEAST_LAT) return 0;
-    part[1] = part[0];
-    *(wide ? &part[0].box.x1 : &part[0].box.y1) = from + size / 2;
-    *(wide ? &part[1].box.x0 : &part[1].box.y0) = from + size / 2;
+    for (int k = 0; k < 2; k++) part[k] = (tone_box_t){half[k], part[0].level};
     return 2;
 }
 

@@ -76,12 +76,10 @@ typedef struct area_window {
 
 /* Halves a window across its longer side. False if it is as small as windows get. */
 static bool halve(const area_window_t *w, int bits, area_window_t half[2]) {
-    bool wide = w->box.x1 - w->box.x0 >= w->box.y1 - w->box.y0;
-    int32_t from = wide ? w->box.x0 : w->box.y0, size = (wide ? w->box.x1 : w->box.y1) - from;
+    area_box_t box[2];
+    const int32_t size = area_box_halve(&w->box, box);
     if (w->level == WINDOWS_DEEP || size >> bits < LAT_PER_MM / 2) return false;
-    half[0] = half[1] = (area_window_t){w->box, w->level + 1};
-    *(wide ? &half[0].box.x1 : &half[0].box.y1) = from + size / 2;
-    *(wide ? &half[1].box.x0 : &half[1].box.y0) = from + size / 2;
+    for (int k = 0; k < 2; k++) half[k] = (area_window_t){box[k], w->level + 1};
     return true;
 }
 
