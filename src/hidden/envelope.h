@@ -151,6 +151,8 @@ static inline bool envelope_hides(envelope_t *h, int32_t a0, int32_t a1, int32_t
     return false;
 }
 
+/* How low h is from abscissa a0 to a1, or lower: the least of its vertices there and of those on either side. If one of
+ * them is below top, that one will do. */
 static inline int32_t envelope_lowest(envelope_t *h, int32_t a0, int32_t a1, int32_t top) {
     envelope_seek(h, a0);
     const pencil_t *p = h->r;

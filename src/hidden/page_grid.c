@@ -109,11 +109,15 @@ static bool visit_cells(const page_grid_t *g, int32_t row, int32_t first, int32_
     return visit(ctx, g->entry + cell[first], g->entry + cell[last + 1]);
 }
 
+static bool visit_all(const page_grid_t *g, const cells_t *c, page_grid_visit_t *visit, void *ctx) {
+    for (int32_t r = c->r0; r <= c->r1; r++)
+        if (!visit_cells(g, r, c->c0, c->c1, visit, ctx)) return false;
+    return true;
+}
+
 bool page_grid_visit(const page_grid_t *g, const page_box_t *box, page_grid_visit_t *visit, void *ctx) {
     const cells_t c = cells_of(g, box);
-    for (int32_t r = c.r0; r <= c.r1; r++)
-        if (!visit_cells(g, r, c.c0, c.c1, visit, ctx)) return false;
-    return true;
+    return visit_all(g, &c, visit, ctx);
 }
 
 void page_grid_walk(const page_grid_t *g, const solid_place_t *a, const solid_place_t *b, int32_t off_lat,
@@ -128,8 +132,7 @@ void page_grid_walk(const page_grid_t *g, const solid_place_t *a, const solid_pl
     const cells_t c = cells_of(g, &box);
     if (c.c0 > c.c1) return;
     if (c.r0 == c.r1 || c.c0 == c.c1 || a->y == b->y) { /* a level line between two rows is in both */
-        for (int32_t r = c.r0; r <= c.r1; r++)
-            if (!visit_cells(g, r, c.c0, c.c1, visit, ctx)) return;
+        visit_all(g, &c, visit, ctx);
         return;
     }
     /* |dx| <= 2^30, and what the slope is multiplied by is at most dy */

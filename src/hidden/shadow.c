@@ -80,14 +80,11 @@ static inline bool clip_by_planes(const shadows_t *s, const shadow_t *shadow, co
     const solid_vertex_t *vertex = s->map->solid->vertex, *const end[2] = {&vertex[line->v[0]], &vertex[line->v[1]]};
     const shadow_plane_t *p = &s->plane[shadow->plane];
     for (const shadow_plane_t *last = p + shadow->planes; p < last; p++) {
-        const int32_t x = p->n[0], y = p->n[1], z = p->n[2];
-        const int32_t *v = end[0]->at, *w = end[1]->at;
-        const int64_t a = wide_mul_s32(x, v[0]) + wide_mul_s32(y, v[1]) + wide_mul_s32(z, v[2]) - p->c,
-                      b = wide_mul_s32(x, w[0]) + wide_mul_s32(y, w[1]) + wide_mul_s32(z, w[2]) - p->c,
+        const int64_t a = shadow_plane_dot(p->n, end[0]->at) - p->c, b = shadow_plane_dot(p->n, end[1]->at) - p->c,
                       most = a < b ? b : a, least = a < b ? a : b;
         if (most <= -SHADOW_NEAR) continue;
         if (least >= SHADOW_NEAR) return false;
-        const int64_t size = (int64_t)(solid_abs(x) + solid_abs(y) + solid_abs(z));
+        const int64_t size = shadow_plane_size(p->n);
         const bool touches = most <= size * (2 * SOLID_FLAT) && is_steep(end, least, size);
         if (touches && least <= -SHADOW_NEAR) continue;
         if (!clip_by_plane(s, shadow, p->face, end, touches, c)) return false;

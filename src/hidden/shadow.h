@@ -16,6 +16,7 @@
 #define SHADOW_H
 
 #include "num/wide.h"
+#include "scene/solid_math.h"
 #include "view/solid_map.h"
 
 #define SHADOW_FACES_MOST 48 /* beyond, faces one by one are faster: the page grid leaves most of them alone */
@@ -28,6 +29,13 @@ typedef struct shadow_plane {
     int32_t face; /* whose it is; -1: of the triangle that the outline is */
 } shadow_plane_t;
 #define SHADOW_NEAR ((int64_t)1 << (SOLID_BITS + 2))
+/* n . p, and the sum of a normal's sizes: times so many units it is what n . p is off by if p is. */
+static inline int64_t shadow_plane_dot(const int32_t n[3], const int32_t p[3]) {
+    return wide_mul_s32(n[0], p[0]) + wide_mul_s32(n[1], p[1]) + wide_mul_s32(n[2], p[2]);
+}
+static inline int64_t shadow_plane_size(const int32_t n[3]) {
+    return (int64_t)(solid_abs(n[0]) + solid_abs(n[1]) + solid_abs(n[2]));
+}
 
 typedef struct shadow {
     int32_t plane, outline;
@@ -96,7 +104,7 @@ static inline int32_t shadows_owner(const shadows_t *s, int32_t face) {
 }
 /* Does one of the edge's two faces look at the eye and the other not? */
 static inline bool shadows_is_outline(const shadows_t *s, const solid_edge_t *e) {
-    return e->face[0] >= 0 && e->face[1] >= 0 && (s->face[e->face[0]] ^ s->face[e->face[1]]) & SHADOW_FRONT;
+    return (e->face[0] | e->face[1]) >= 0 && (s->face[e->face[0]] ^ s->face[e->face[1]]) & SHADOW_FRONT;
 }
 /* Is a part of the line, whose picture's box meets that of the shadow, in it: parameters in space from *from to *to,
  * 0 .. INK_ONE, *from < *to. */

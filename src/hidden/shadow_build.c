@@ -15,9 +15,7 @@ static bool is_part(const shadows_t *s, int32_t f) {
 }
 
 static inline bool is_outline(const shadows_t *s, const solid_edge_t *e) {
-    if ((e->face[0] | e->face[1]) < 0) return false; /* one is -1 */
-    const uint8_t is = s->face[e->face[0]];
-    return (is ^ s->face[e->face[1]]) & SHADOW_FRONT && is & SHADOW_WHOLE;
+    return shadows_is_outline(s, e) && s->face[e->face[0]] & SHADOW_WHOLE;
 }
 
 typedef struct counts {
@@ -30,11 +28,8 @@ static inline void set_plane(shadow_plane_t *plane, const solid_normal_t *n, con
     if (turned)
         for (int k = 0; k < 3; k++) m.n[k] = -m.n[k];
     solid_shorten(&m);
-    const int32_t x = (int32_t)m.n[0], y = (int32_t)m.n[1], z = (int32_t)m.n[2];
-    *plane = (shadow_plane_t){wide_mul_s32(x, p->at[0]) + wide_mul_s32(y, p->at[1]) + wide_mul_s32(z, p->at[2]) -
-                                  (int64_t)(solid_abs(x) + solid_abs(y) + solid_abs(z)) * SOLID_FLAT,
-                              {x, y, z},
-                              0};
+    *plane = (shadow_plane_t){.n = {(int32_t)m.n[0], (int32_t)m.n[1], (int32_t)m.n[2]}};
+    plane->c = shadow_plane_dot(plane->n, p->at) - shadow_plane_size(plane->n) * SOLID_FLAT;
 }
 
 /* Adds a vertex to the picture's box. */
