@@ -32,7 +32,7 @@ ink_sink_t pens_ink(pens_t *p, ink_sink_t next) {
     return (ink_sink_t){p, take_ink};
 }
 
-static int move(void *ctx, page_point_t to) {
+static int pens_move(void *ctx, page_point_t to) {
     pens_t *p = ctx;
     if (!p->announced) {
         p->announced = true;
@@ -42,14 +42,14 @@ static int move(void *ctx, page_point_t to) {
     return p->next_pen.move(p->next_pen.ctx, to);
 }
 
-static int draw(void *ctx, page_point_t to) {
+static int pens_draw(void *ctx, page_point_t to) {
     const pens_t *p = ctx;
     return p->next_pen.draw(p->next_pen.ctx, to);
 }
 
 pen_sink_t pens_sink(pens_t *p, const pen_sink_t *next) {
     p->next_pen = *next;
-    return (pen_sink_t){p, move, draw};
+    return (pen_sink_t){p, pens_move, pens_draw};
 }
 
 void pens_add(picture_stats_t *sum, const picture_stats_t *pass) {

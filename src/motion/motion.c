@@ -181,7 +181,7 @@ static int check(motion_t *m, page_point_t to) {
     return m->error;
 }
 
-static int move(void *ctx, page_point_t to) {
+static int motion_move(void *ctx, page_point_t to) {
     motion_t *m = ctx;
     if (check(m, to)) return m->error;
     if (m->resting) lift(m);
@@ -191,7 +191,7 @@ static int move(void *ctx, page_point_t to) {
     return 0;
 }
 
-static int draw(void *ctx, page_point_t to) {
+static int motion_draw(void *ctx, page_point_t to) {
     motion_t *m = ctx;
     if (check(m, to)) return m->error;
     if (m->pending_move || !m->started) travel(m, m->pending_move ? m->move_to : m->at);
@@ -205,7 +205,7 @@ static int draw(void *ctx, page_point_t to) {
 }
 
 pen_sink_t motion_pen_sink(motion_t *m) {
-    return (pen_sink_t){.ctx = m, .move = move, .draw = draw};
+    return (pen_sink_t){.ctx = m, .move = motion_move, .draw = motion_draw};
 }
 
 /* sqrt(2 a h): h in q16 lat is h * 1000 / 2^31 um. */
