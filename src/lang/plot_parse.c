@@ -250,7 +250,7 @@ int plot_parse(session_t *s, lexer_t *lx, enum plot_kind kind) {
     s->plot.iterations = s->lang.iterations = 0;
     s->plot.texts_len = 0;
 #endif
-    if (s->logscale) return session_fail(s, lx, ERR_UNSUPPORTED, NO_AXES);
+    if (s->nonlinear) return session_fail(s, lx, ERR_UNSUPPORTED, NO_AXES);
     int err = plot_ranges(s, lx, kind, &params);
 #if CONFIG_LOGSCALE
     if (!err) err = log_axes_ranges(s, &word);

@@ -169,7 +169,7 @@ typedef struct session {
     texts_t texts;
     char scratch[CONFIG_NAME_MAX + 1];
 #endif
-    bool logscale; /* set nonlinear; without CONFIG_LOGSCALE also set logscale */
+    bool nonlinear; /* set nonlinear; without CONFIG_LOGSCALE also set logscale */
 #if CONFIG_LOGSCALE
     num_t log_base[3]; /* of x, y, z; 0: linear */
 #endif

@@ -7,7 +7,7 @@ void set_reset(session_t *s) {
     settings_default(&s->settings);
     s->separator = 0;
     s->axes = AXES_XY;
-    s->logscale = false;
+    s->nonlinear = false;
 #if CONFIG_LOGSCALE
     log_axes_reset(s);
 #endif
@@ -132,16 +132,12 @@ static bool is_of_xyz(const lexer_t *lx) {
     return any;
 }
 
-static bool is_nonlinear(uint8_t id) {
-    return id == SET_NONLINEAR || (!CONFIG_LOGSCALE && id == SET_LOGSCALE);
-}
-
 /* What makes axes of another kind: on or off. Is it such an option? */
 bool set_axes(session_t *s, uint8_t id, bool on) {
-    if (is_nonlinear(id)) s->logscale = on;
+    if (id == SET_NONLINEAR) s->nonlinear = on;
     if (id == SET_POLAR) s->axes = on ? AXES_POLAR : AXES_XY;
     if (id == SET_PARAMETRIC) s->axes = on ? AXES_PARAMETRIC : AXES_XY;
-    return is_nonlinear(id) || id == SET_POLAR || id == SET_PARAMETRIC;
+    return id == SET_NONLINEAR || id == SET_POLAR || id == SET_PARAMETRIC;
 }
 
 int set_command(session_t *s, lexer_t *lx) {
@@ -243,30 +239,20 @@ int set_command(session_t *s, lexer_t *lx) {
             if (err) return err;
         } /* fall through */
     case SET_IGNORED:
-#if !CONFIG_SCATTERED
-    case SET_DGRID:
-#endif
 #if !CONFIG_SAMPLED
     case SET_POLAR:
-    case SET_TRANGE:
-    case SET_MAPPING:
-#endif
-    case SET_NONLINEAR:
-#if !CONFIG_LOGSCALE
-    case SET_LOGSCALE:
 #endif
 #if !CONFIG_PARAMETRIC
     case SET_PARAMETRIC:
-    case SET_URANGE:
-    case SET_VRANGE:
 #endif
+    case SET_NONLINEAR:
     case SET_FUNCTIONS: /* set function style, long gone from gnuplot */
-        if (is_nonlinear(words_set_id[index]) && is_of_xyz(lx)) {
+        if (words_set_id[index] == SET_NONLINEAR && is_of_xyz(lx)) {
             session_skip(lx);
-            s->logscale = true; /* a picture without it would be another one: plots are refused */
+            s->nonlinear = true; /* a picture without it would be another one: plots are refused */
             return 0;
         }
-        if (!is_nonlinear(words_set_id[index])) set_axes(s, words_set_id[index], true);
+        if (words_set_id[index] != SET_NONLINEAR) set_axes(s, words_set_id[index], true);
         session_warn_once(s, s->warned_set, index, "set ", &word, " is ignored");
         session_skip(lx);
         return 0;

@@ -270,9 +270,7 @@ int show_command(session_t *s, lexer_t *lx) {
     }
     lexer_next(lx);
     uint8_t id = words_set_id[index];
-    if (id == SET_IGNORED || id == SET_POLAR || id == SET_NONLINEAR || (!CONFIG_LOGSCALE && id == SET_LOGSCALE) ||
-        (!CONFIG_SCATTERED && id == SET_DGRID) || (!CONFIG_SAMPLED && (id == SET_TRANGE || id == SET_MAPPING)) ||
-        (!CONFIG_PARAMETRIC && (id == SET_PARAMETRIC || id == SET_URANGE || id == SET_VRANGE))) {
+    if (id == SET_IGNORED || id == SET_POLAR || id == SET_NONLINEAR || (!CONFIG_PARAMETRIC && id == SET_PARAMETRIC)) {
         session_warn_once(s, s->warned_set, index, "show ", &word, ": this option is ignored here");
         session_skip(lx);
         return 0;

@@ -17,9 +17,7 @@ int set_unset_command(session_t *s, lexer_t *lx) {
         session_skip(lx);
         return 0;
     }
-    if (id == SET_IGNORED || id == SET_STYLE || id == SET_BORDER || set_tics_of(id) ||
-        (!CONFIG_SCATTERED && id == SET_DGRID) || (!CONFIG_SAMPLED && (id == SET_TRANGE || id == SET_MAPPING)) ||
-        (!CONFIG_PARAMETRIC && (id == SET_URANGE || id == SET_VRANGE))) {
+    if (id == SET_IGNORED || id == SET_STYLE || id == SET_BORDER || set_tics_of(id)) {
         set->tics &= (uint8_t)~set_tics_of(id);
         if (id == SET_BORDER) set->border_base = false;
         session_warn_once(s, s->warned_set, index, "unset ", &word, " is ignored");

@@ -27,12 +27,9 @@ int words_find(const char *table, const lexer_t *lx) {
 
 #if CONFIG_CONTROL
 #define CONTROL CMD_CONTROL
-#else
-#define CONTROL CMD_UNSUPPORTED
-#endif
-#if CONFIG_CONTROL
 #define UNDEFINE CMD_UNDEFINE
 #else
+#define CONTROL CMD_UNSUPPORTED
 #define UNDEFINE CMD_IGNORED
 #endif
 #define COMMANDS(WORD)                                                                                                 \
@@ -94,6 +91,13 @@ _Static_assert(sizeof words_command_id <= WORDS_WARNED_STYLE, "a warning bit for
 #else
 #define OPTIONS_OURS(WORD)
 #endif
+/* What a build is without is as gnuplot's other options are. */
+#define LOGSCALE (CONFIG_LOGSCALE ? SET_LOGSCALE : SET_NONLINEAR)
+#define DGRID (CONFIG_SCATTERED ? SET_DGRID : SET_IGNORED)
+#define MAPPING (CONFIG_SAMPLED ? SET_MAPPING : SET_IGNORED)
+#define TRANGE (CONFIG_SAMPLED ? SET_TRANGE : SET_IGNORED)
+#define URANGE (CONFIG_PARAMETRIC ? SET_URANGE : SET_IGNORED)
+#define VRANGE (CONFIG_PARAMETRIC ? SET_VRANGE : SET_IGNORED)
 #define OPTIONS(WORD)                                                                                                  \
     WORD("all", SET_ALL)                                                                                               \
     WORD("an$gles", SET_ANGLES)                                                                                        \
@@ -118,7 +122,7 @@ _Static_assert(sizeof words_command_id <= WORDS_WARNED_STYLE, "a warning bit for
     WORD("data", SET_IGNORED)                                                                                          \
     WORD("dataf$ile", SET_DATAFILE)                                                                                    \
     WORD("dec$imalsign", SET_IGNORED)                                                                                  \
-    WORD("dg$rid3d", SET_DGRID)                                                                                        \
+    WORD("dg$rid3d", DGRID)                                                                                            \
     WORD("du$mmy", SET_DUMMY)                                                                                          \
     WORD("enc$oding", SET_IGNORED)                                                                                     \
     WORD("errorb$ars", SET_IGNORED)                                                                                    \
@@ -145,10 +149,10 @@ _Static_assert(sizeof words_command_id <= WORDS_WARNED_STYLE, "a warning bit for
     WORD("lm$argin", SET_IGNORED)                                                                                      \
     WORD("loa$dpath", SET_IGNORED)                                                                                     \
     WORD("loc$ale", SET_IGNORED)                                                                                       \
-    WORD("log$scale", SET_LOGSCALE)                                                                                    \
+    WORD("log$scale", LOGSCALE)                                                                                        \
     WORD("mac$ros", SET_IGNORED)                                                                                       \
     WORD("mach$ine", SET_MACHINE)                                                                                      \
-    WORD("map$ping3d", SET_MAPPING)                                                                                    \
+    WORD("map$ping3d", MAPPING)                                                                                        \
     WORD("mar$gins", SET_IGNORED)                                                                                      \
     WORD("micro", SET_IGNORED)                                                                                         \
     WORD("minus$sign", SET_IGNORED)                                                                                    \
@@ -204,14 +208,14 @@ _Static_assert(sizeof words_command_id <= WORDS_WARNED_STYLE, "a warning bit for
     WORD("times$tamp", SET_IGNORED)                                                                                    \
     WORD("tit$le", SET_TITLE)                                                                                          \
     WORD("tm$argin", SET_IGNORED)                                                                                      \
-    WORD("tr$ange", SET_TRANGE)                                                                                        \
+    WORD("tr$ange", TRANGE)                                                                                            \
     WORD("tti$cs", SET_IGNORED)                                                                                        \
-    WORD("ur$ange", SET_URANGE)                                                                                        \
+    WORD("ur$ange", URANGE)                                                                                            \
     WORD("v$ariables", SET_VARIABLES)                                                                                  \
     WORD("ve$rsion", SET_VERSION)                                                                                      \
     WORD("vg$rid", SET_IGNORED)                                                                                        \
     WORD("vi$ew", SET_VIEW)                                                                                            \
-    WORD("vr$ange", SET_VRANGE)                                                                                        \
+    WORD("vr$ange", VRANGE)                                                                                            \
     WORD("vxr$ange", SET_IGNORED)                                                                                      \
     WORD("vyr$ange", SET_IGNORED)                                                                                      \
     WORD("vzr$ange", SET_IGNORED)                                                                                      \

@@ -58,13 +58,13 @@ enum set_id {
     SET_MACHINE,
     SET_PAPER,
     SET_PARAMETRIC,
-    SET_POLAR, /* this and the next are ignored, but plots are refused while they are set */
+    SET_POLAR,
     SET_LOGSCALE,
-    SET_NONLINEAR,
+    SET_NONLINEAR, /* ignored, but plots are refused while it is set; so are parametric and polar where they are not */
     SET_DGRID,
     SET_MAPPING,
     SET_TRANGE,
-    SET_URANGE, /* these two are ignored without parametric surfaces */
+    SET_URANGE,
     SET_VRANGE,
     SET_SAMPLES,
     SET_STYLE,
