@@ -72,6 +72,9 @@ static const struct {
     {"se$t",
      "set OPTION ...     short: se\nOptions: xrange yrange zrange samples isosamples view hidden3d title "
      "xyplane paper\n"
+#if CONFIG_AREA
+     "halo hatch light shadow pen crease parametric polar urange vrange trange mapping logscale dgrid3d\n"
+#endif
      "machine dummy datafile autoscale angles. gnuplot's other options are ignored with a warning. unset OPTION goes\n"
      "back to the default, show OPTION tells the value.\n"},
     {"uns$et", "unset OPTION: back to its default; unset hidden3d draws every line.\n"},
@@ -85,10 +88,10 @@ static const struct {
     {"sa$ve", "See help board.\n"},
 #endif
     {"pa$use", "pause SECONDS ['text'];  pause -1 waits for Return, where there is somebody to press it.\n"},
-#if FILES
 #if CONFIG_CONTROL
     {"und$efine", "undefine a b* f(): these variables, those that begin so, this function are forgotten.\n"},
 #endif
+#if FILES
     {"q$uit", "quit, exit, q: the end.\n"},
     {"ex$it", "quit, exit, q: the end.\n"},
 #endif

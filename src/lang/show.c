@@ -145,7 +145,11 @@ static bool show_option(session_t *s, uint8_t id) {
 #endif
 #if CONFIG_PARAMETRIC
     case SET_PARAMETRIC:
-        text_add(&t, s->axes == AXES_PARAMETRIC ? "set parametric\n" : "unset parametric\n");
+    case SET_POLAR: /* one excludes the other */
+        text_add(&t, s->axes == AXES_POLAR        ? "set polar\n"
+                     : s->axes == AXES_PARAMETRIC ? "set parametric\n"
+                     : id == SET_POLAR            ? "unset polar\n"
+                                                  : "unset parametric\n");
         break;
     case SET_URANGE:
     case SET_VRANGE:
@@ -255,10 +259,11 @@ static bool show_option(session_t *s, uint8_t id) {
 }
 
 int show_command(session_t *s, lexer_t *lx) {
-    static const uint8_t all[] = {SET_TITLE,      SET_XRANGE,   SET_YRANGE,   SET_ZRANGE,    SET_XYPLANE,  SET_SAMPLES,
-                                  SET_ISOSAMPLES, SET_VIEW,     SET_HIDDEN3D, SET_HALO,      SET_HATCH,    SET_LIGHT,
-                                  SET_SHADOW,     SET_CREASE,   SET_PEN,      SET_PAPER,     SET_MACHINE,  SET_ANGLES,
-                                  SET_DUMMY,      SET_DATAFILE, SET_LOGSCALE, SET_VARIABLES, SET_FUNCTIONS};
+    static const uint8_t all[] = {
+        SET_TITLE,    SET_XRANGE, SET_YRANGE,   SET_ZRANGE,    SET_XYPLANE,    SET_SAMPLES, SET_ISOSAMPLES, SET_VIEW,
+        SET_HIDDEN3D, SET_HALO,   SET_HATCH,    SET_LIGHT,     SET_SHADOW,     SET_CREASE,  SET_PEN,        SET_PAPER,
+        SET_MACHINE,  SET_ANGLES, SET_DUMMY,    SET_DATAFILE,  SET_PARAMETRIC, SET_URANGE,  SET_VRANGE,     SET_TRANGE,
+        SET_MAPPING,  SET_DGRID,  SET_LOGSCALE, SET_VARIABLES, SET_FUNCTIONS};
     if (session_at_end(lx)) return lexer_unexpected(lx, &s->error, "an option expected; try `show all`");
     lexer_t word = *lx;
     bool plot = lexer_is_almost(lx, "p$lot");
@@ -270,7 +275,8 @@ int show_command(session_t *s, lexer_t *lx) {
     }
     lexer_next(lx);
     uint8_t id = words_set_id[index];
-    if (id == SET_IGNORED || id == SET_POLAR || id == SET_NONLINEAR || (!CONFIG_PARAMETRIC && id == SET_PARAMETRIC)) {
+    if (id == SET_IGNORED || id == SET_NONLINEAR || (!CONFIG_SAMPLED && id == SET_POLAR) ||
+        (!CONFIG_PARAMETRIC && id == SET_PARAMETRIC)) {
         session_warn_once(s, s->warned_set, index, "show ", &word, ": this option is ignored here");
         session_skip(lx);
         return 0;

@@ -216,6 +216,12 @@ static void test_save_and_load(void **state) {
     HEARD("set title 'It''s me'");
     HEARD("splot f(k*x)*y");
     assert_int_equal(fix.steps[0], 2 * steps[0]);
+    fix_say("reset session; " SMALL "set polar; plot 1+cos(t)\rsave\r", 200 * SECOND); /* t is nobody but there */
+    steps[0] = fix.steps[0] - 2 * steps[0];
+    fix_power_on(sizeof fix.memory);
+    fix_say("load\r", 200 * SECOND);
+    assert_true(steps[0] > 1000);
+    assert_int_equal(fix.steps[0], steps[0]);
 }
 
 static void test_button_and_autorun(void **state) {

@@ -35,7 +35,8 @@ static void show_can_be_fed_back(void **state) {
                                   "set xrange [3:-2.5]; set yrange [*:7]; set zrange [1e-9:2e10]; set samples 7,8\n"
                                   "set isosamples 11; set view from 6,8,3.25 to 0,1,-1; set hidden3d horizon infinite\n"
                                   "set title 'A hill'; set xyplane at -2; set paper 200,150.5 margin 7.25\n"
-                                  "set dummy u,v; set datafile separator ';'\n"
+                                  "set dummy u,v; set datafile separator ';'; set polar; set urange [0:2]\n"
+                                  "set trange [*:7]; set mapping spherical; set dgrid3d 8,9 gauss 0.5; set logscale x\n"
                                   "set machine steps 80,100.5 speed 90 travel 150 accel 1500 junction 0.02 lift 0.15\n"
                                   "set machine lower 0.2 pulse 2.5 setup 1.5 enable 0.3 swap corexy size 300,200\n"
                                   "set machine pen solenoid 0.02,35 limits off home left,top pulloff 2.5, invert "
@@ -61,6 +62,10 @@ static void show_can_be_fed_back(void **state) {
     assert_true(s->view.from && s->view.has_to && fixture_double(s->view.eye[2]) == 3.25);
     assert_int_equal(s->hidden, HIDDEN_HORIZON);
     assert_true(s->horizon_infinite);
+    assert_true(f->session.axes == AXES_POLAR && f->session.mapping == DATA_SPHERICAL && f->session.scattered.on);
+    assert_true(num_sign(f->session.log_base[0]) > 0 && num_sign(f->session.log_base[1]) == 0);
+    check_range(&f->session.uv[0], false, 0, false, 2, false);
+    check_range(&f->session.t, true, 0, false, 7, false);
     assert_int_equal(s->machine.steps_per_mm_q16[1], 100 * 65536 + 32768);
     assert_int_equal(s->machine.lift_us, 150000);
     assert_int_equal(s->machine.dir_setup_ns, 1500);
