@@ -148,7 +148,7 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, expr_params_t
 #if CONFIG_PARAMETRIC
     const session_source_t last = *src;
 #endif
-    *src = (session_source_t){.column = lexer_column(lx), .name = *lx, .first_grid = first_grid, .grids = grids};
+    *src = (session_source_t){.column = lexer_column(lx), .first_grid = first_grid, .grids = grids};
 #if CONFIG_PARAMETRIC
     src->curved = last.curved;
     memcpy(src->extent, last.extent, sizeof src->extent);
@@ -193,8 +193,8 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, expr_params_t
     } else if (CONFIG_SAMPLED && lexer_is_name(lx, "keyentry")) { /* only gnuplot's key would show it */
         lexer_next(lx);
         return plot_options_style(s, lx, src);
-    } else if ((!CONFIG_CONTROL && lexer_is_name(lx, "for")) || lexer_is_name(lx, "keyentry") ||
-               (!CONFIG_SAMPLED && lexer_is_name(lx, "sample"))) {
+    } else if ((!CONFIG_CONTROL && lexer_is_name(lx, "for")) ||
+               (!CONFIG_SAMPLED && (lexer_is_name(lx, "keyentry") || lexer_is_name(lx, "sample")))) {
         return lang_error_set_name(&s->error, ERR_UNSUPPORTED, lexer_column(lx), "not supported", lexer_text(lx),
                                    lx->tok.len);
 #if CONFIG_SAMPLED

@@ -4,11 +4,11 @@
  *     plot sample [t=0:20:0.5] '+' using (t):(sin(t)), [10:30] x
  *     splot '++' using 1:2:($1*$2)
  *     set parametric; plot sin(3*t), cos(5*t)      set polar; plot 1+cos(t) */
+#include "lang/log_axes.h"
 #include "lang/plot_options.h"
 #include "lang/session_parts.h"
 #include "num/func.h"
 #include "num/num_double.h"
-#include "scene/log_scale.h"
 
 #if CONFIG_SAMPLED
 /* [t=0:10:2] at its bracket, for parameter k. */
@@ -86,6 +86,9 @@ static bool parameter_ends(const session_t *s, const session_source_t *src, int 
         end[1] = s->lang.degrees ? num_from_i64(360) : num_ldexp(func_pi(), 1);
     }
     if (of_x) r = &s->plot.range[0];
+#if CONFIG_LOGSCALE
+    if (of_x && !src->sampling[k].given) log_axes_open_range(s, 0, end);
+#endif
     apply(r, end);
     if (src->sampling[k].given) apply(&src->sampling[k].range, end);
     return of_x && !src->sampling[k].given;
@@ -104,12 +107,7 @@ static int spread(const session_t *s, const session_source_t *src, int k, spread
     *out = (spread_t){.from = end[0], .to = end[1], .by_n = true, .base = num_from_i64(0)};
     out->n = k ? s->settings.isosamples[1] : s->settings.samples[0];
 #if CONFIG_LOGSCALE
-    /* The plot's range of x holds logarithms. */
-    if (of_x && s->log_base[0].m) {
-        out->base = s->log_base[0];
-        if (s->plot.range[0].auto_lo) out->from = num_from_i64(-1);
-        if (s->plot.range[0].auto_hi) out->to = log_scale(out->base, num_from_i64(10));
-    }
+    if (of_x) out->base = s->log_base[0]; /* the plot's range of x holds logarithms */
 #else
     (void)of_x;
 #endif

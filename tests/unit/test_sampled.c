@@ -46,6 +46,10 @@ static void a_file_of_one_parameter(void **state) {
                      0);
     near(f->x[1], 1); /* evenly on the paper */
     near(f->z[1], 10);
+    assert_int_equal(fixture_feed(f, "set logscale x 2; plot '+' using 1:1"), 0);
+    near(f->x[0], log2(0.1)); /* as functions */
+    near(f->z[0], 0.1);
+    near(f->z[2], 10);
 }
 
 static void a_file_of_two_parameters(void **state) {
