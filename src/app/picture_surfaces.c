@@ -59,19 +59,22 @@ static int add_surface(picture_t *p, const surface_t *s) {
 }
 
 static void scene_box(const picture_t *p, num_t lo[3], num_t hi[3]) {
+#if CONFIG_CROP
+    grid_t inside;
+    bool known = false;
+#endif
     for (int32_t k = 0; k < p->spaces; k++) {
         const grid_t *g = &p->grid[k];
         const surface_t *s = g->src;
 #if CONFIG_CROP
-        /* The axis of heights is as long as the points within the ranges want, without those where lines are cut. */
+        /* The axis of heights is as long as the points within the ranges want, without those where lines are cut. Rows
+         * and, next, columns of an item that is cropped. */
         const plot_item_t *item = &p->plot->item[k / 2];
-        grid_t inside;
-        if (item->cropped && (s == &item->rows || s == &item->cols)) {
-            const range_t *z = &p->plot->settings->z;
-            if (!grid_measure(&inside, &item->surface, z->auto_lo ? NULL : &z->lo, z->auto_hi ? NULL : &z->hi, NULL,
-                              NULL, NULL))
-                g = &inside;
-        }
+        const range_t *z = &p->plot->settings->z;
+        if (k % 2 == 0)
+            known = item->cropped && !grid_measure(&inside, &item->surface, z->auto_lo ? NULL : &z->lo,
+                                                   z->auto_hi ? NULL : &z->hi, NULL, NULL, NULL);
+        if (known) g = &inside;
 #endif
         const num_t from[3] = {s->x_of(s->ctx, 0), s->y_of(s->ctx, 0), g->z_min};
         const num_t to[3] = {s->x_of(s->ctx, s->nx - 1), s->y_of(s->ctx, s->ny - 1), g->z_max};
@@ -172,7 +175,11 @@ static void fetch_height(void *ctx, uint8_t family, uint8_t surface, int32_t lin
 }
 #endif
 
-/* Measures all surfaces and sets the view up. */
+static bool only_measures(const picture_t *p) {
+    return CONFIG_WAITING == 0 && p->hooks && p->hooks->only_measure;
+}
+
+/* Measures all surfaces and sets the view up, where that is wanted. */
 static int begin(picture_t *p, const pen_sink_t *pen, bool isolines, bool *plain) {
     const plot_t *plot = p->plot;
     int64_t points = 0;
@@ -190,7 +197,7 @@ static int begin(picture_t *p, const pen_sink_t *pen, bool isolines, bool *plain
         points += points_of(&item->surface);
         growing += item->surface.nx;
     }
-    if (CONFIG_WAITING == 0 && p->hooks && p->hooks->only_measure) return 0;
+    if (only_measures(p)) return 0;
     num_t lo[3], hi[3];
     scene_box(p, lo, hi);
     err = picture_camera(p, lo, hi);
@@ -218,7 +225,7 @@ static int draw(picture_t *p, const pen_sink_t *pen) {
     size_t kernel_bytes = 0;
     void *kernel = isolines ? NULL : picture_kernel_memory(p, &kernel_bytes);
     int err = begin(p, pen, isolines, &plain);
-    if (err || (CONFIG_WAITING == 0 && p->hooks && p->hooks->only_measure)) return err;
+    if (err || only_measures(p)) return err;
     ink_sink_t sink = p->sink;
 #if CONFIG_AREA
     grid_outline_t outline = {p->lines, p->grid, p->sink};
