@@ -147,6 +147,16 @@ static inline fixture_t *fixture_new(void) {
     return f;
 }
 
+/* For cmocka: each test has a new one. */
+static inline int fixture_setup(void **state) {
+    *state = fixture_new();
+    return 0;
+}
+static inline int fixture_teardown(void **state) {
+    free(*state);
+    return 0;
+}
+
 static inline void fixture_file(fixture_t *f, int slot, const char *name, const char *text) {
     f->file[slot].name = name;
     f->file[slot].text = text;

@@ -77,8 +77,7 @@ static void lines_end_at_the_limits(void **state) {
 static void only_without_hidden3d(void **state) {
     (void)state;
     fixture_t *f = fixture_new();
-    f->file[0].name = "g";
-    f->file[0].text = "0 0 1\n1 0 2\n2 0 4\n3 0 1\n\n0 1 5\n1 1 6\n2 1 7\n3 1 8\n\n0 2 1\n1 2 1\n2 2 1\n3 2 1\n";
+    fixture_file(f, 0, "g", "0 0 1\n1 0 2\n2 0 4\n3 0 1\n\n0 1 5\n1 1 6\n2 1 7\n3 1 8\n\n0 2 1\n1 2 1\n2 2 1\n3 2 1\n");
     assert_int_equal(fixture_feed(f, "set xrange [0.5:2.25]; splot 'g'"), 0);
     assert_int_equal(f->rows_nx, 2);
     assert_int_equal(fixture_feed(f, "unset hidden3d; replot"), 0);

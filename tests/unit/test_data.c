@@ -9,15 +9,6 @@
 
 #include "session_fixture.h"
 
-static int setup(void **state) {
-    *state = fixture_new();
-    return 0;
-}
-static int teardown(void **state) {
-    free(*state);
-    return 0;
-}
-
 typedef struct point {
     double x, y, z;
 } point_t;
@@ -416,15 +407,15 @@ static void reading_is_fast(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(points_are_gnuplots, setup, teardown),
-        cmocka_unit_test_setup_teardown(every_direction_gives_the_same_surface, setup, teardown),
-        cmocka_unit_test_setup_teardown(wrong_data_name_their_line, setup, teardown),
-        cmocka_unit_test_setup_teardown(holes_and_headings, setup, teardown),
-        cmocka_unit_test_setup_teardown(inline_data, setup, teardown),
-        cmocka_unit_test_setup_teardown(several_sets_are_several_surfaces, setup, teardown),
-        cmocka_unit_test_setup_teardown(a_full_pool_is_an_ordinary_error, setup, teardown),
-        cmocka_unit_test_setup_teardown(curves_of_data, setup, teardown),
-        cmocka_unit_test_setup_teardown(terrains_are_meshes, setup, teardown),
+        cmocka_unit_test_setup_teardown(points_are_gnuplots, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(every_direction_gives_the_same_surface, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(wrong_data_name_their_line, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(holes_and_headings, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(inline_data, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(several_sets_are_several_surfaces, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(a_full_pool_is_an_ordinary_error, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(curves_of_data, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(terrains_are_meshes, fixture_setup, fixture_teardown),
         cmocka_unit_test(reading_is_fast),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -7,15 +7,6 @@
 
 #include "session_fixture.h"
 
-static int setup(void **state) {
-    *state = fixture_new();
-    return 0;
-}
-static int teardown(void **state) {
-    free(*state);
-    return 0;
-}
-
 static double coordinate(const mesh_t *m, int32_t v, int k) {
     double d;
     memcpy(&d, &m->vertex[v][k], sizeof d);
@@ -132,9 +123,9 @@ static void memory_ends_anywhere(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(facets_where_all_lines_are_equally_long, setup, teardown),
-        cmocka_unit_test_setup_teardown(points_stay_where_they_are, setup, teardown),
-        cmocka_unit_test_setup_teardown(memory_ends_anywhere, setup, teardown),
+        cmocka_unit_test_setup_teardown(facets_where_all_lines_are_equally_long, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(points_stay_where_they_are, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(memory_ends_anywhere, fixture_setup, fixture_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

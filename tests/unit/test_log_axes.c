@@ -7,15 +7,6 @@
 
 #include "session_fixture.h"
 
-static int setup(void **state) {
-    *state = fixture_new();
-    return 0;
-}
-static int teardown(void **state) {
-    free(*state);
-    return 0;
-}
-
 #define EACH(f, k) for (int k = 0; k < (f)->points; k++)
 
 static void near(double a, double b) {
@@ -57,8 +48,7 @@ static void functions_of_logarithms(void **state) {
 
 static void data_are_converted(void **state) {
     fixture_t *f = *state;
-    f->file[0].name = "g";
-    f->file[0].text = "1 1 10\n10 1 0\n100 1 -3\n\n1 2 1\n10 2 100\n100 2 1e5\n";
+    fixture_file(f, 0, "g", "1 1 10\n10 1 0\n100 1 -3\n\n1 2 1\n10 2 100\n100 2 1e5\n");
     assert_int_equal(fixture_feed(f, "set logscale xz; splot 'g'"), 0);
     static const double z[] = {1, NAN, NAN, 0, 2, 5};
     assert_int_equal(f->points, 6);
@@ -98,7 +88,6 @@ static void axes_and_bases(void **state) {
     fixture_t *f = *state;
     assert_int_equal(fixture_feed(f, "set logscale zcb; set log x2y 2; show logscale"), 0);
     assert_string_equal(f->out, "set logscale y 2.0\nset logscale z 10.0\n");
-    f->out[0] = '\0';
     assert_int_equal(fixture_feed(f, "unset logscale z; set nolog y; show logscale"), 0);
     assert_string_equal(f->out, "");
     assert_int_equal(fixture_feed(f, "set logscale q"), ERR_NAME);
@@ -109,11 +98,11 @@ static void axes_and_bases(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(heights_are_logarithms, setup, teardown),
-        cmocka_unit_test_setup_teardown(functions_of_logarithms, setup, teardown),
-        cmocka_unit_test_setup_teardown(data_are_converted, setup, teardown),
-        cmocka_unit_test_setup_teardown(ranges_are_logarithms, setup, teardown),
-        cmocka_unit_test_setup_teardown(axes_and_bases, setup, teardown),
+        cmocka_unit_test_setup_teardown(heights_are_logarithms, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(functions_of_logarithms, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(data_are_converted, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(ranges_are_logarithms, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(axes_and_bases, fixture_setup, fixture_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,15 +8,6 @@
 
 #include "session_fixture.h"
 
-static int setup(void **state) {
-    *state = fixture_new();
-    return 0;
-}
-static int teardown(void **state) {
-    free(*state);
-    return 0;
-}
-
 static void near(double a, double b) {
     assert_true(fabs(a - b) <= 1e-12 * (1 + fabs(b)));
 }
@@ -96,8 +87,7 @@ static void parametric_and_polar_curves(void **state) {
         assert_true(fabs(f->x[k] - 2 * cos(k * pi / 2)) < 1e-12);
         assert_true(fabs(f->z[k] - 2 * sin(k * pi / 2)) < 1e-12);
     }
-    f->file[0].name = "g";
-    f->file[0].text = "0 1\n90 2\n180 3\n";
+    fixture_file(f, 0, "g", "0 1\n90 2\n180 3\n");
     assert_int_equal(fixture_feed(f, "set angles degrees; plot 'g', t/90.0"), 0);
     near(f->x[0], 1);
     near(f->z[1], 2);
@@ -107,8 +97,7 @@ static void parametric_and_polar_curves(void **state) {
 
 static void mapped_data(void **state) {
     fixture_t *f = *state;
-    f->file[0].name = "g";
-    f->file[0].text = "0 30\n90 30\n180 30\n";
+    fixture_file(f, 0, "g", "0 30\n90 30\n180 30\n");
     assert_int_equal(fixture_feed(f, "splot 'g'"), ERR_DATA); /* two columns */
     assert_int_equal(fixture_feed(f, "set angles degrees; set mapping spherical; splot 'g'"), 0);
     assert_int_equal(f->mesh.segments, 2);
@@ -126,11 +115,11 @@ static void mapped_data(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(a_file_of_one_parameter, setup, teardown),
-        cmocka_unit_test_setup_teardown(a_file_of_two_parameters, setup, teardown),
-        cmocka_unit_test_setup_teardown(functions_over_ranges_of_their_own, setup, teardown),
-        cmocka_unit_test_setup_teardown(parametric_and_polar_curves, setup, teardown),
-        cmocka_unit_test_setup_teardown(mapped_data, setup, teardown),
+        cmocka_unit_test_setup_teardown(a_file_of_one_parameter, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(a_file_of_two_parameters, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(functions_over_ranges_of_their_own, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(parametric_and_polar_curves, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(mapped_data, fixture_setup, fixture_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,15 +7,6 @@
 
 #include "session_fixture.h"
 
-static int setup(void **state) {
-    *state = fixture_new();
-    return 0;
-}
-static int teardown(void **state) {
-    free(*state);
-    return 0;
-}
-
 enum { POINTS = 37 };
 static double at[POINTS][3];
 
@@ -32,8 +23,7 @@ static void make(fixture_t *f) {
         n += (size_t)snprintf(text + n, sizeof text - n, "%s%.10f %.10f %.10f\n", i % 7 == 3 ? "\n1 2 NaN\n\n" : "",
                               at[i][0], at[i][1], at[i][2]);
     }
-    f->file[0].name = "s";
-    f->file[0].text = text;
+    fixture_file(f, 0, "s", text);
 }
 
 static double mean(double x, double y, double (*weight)(double r), double sx, double sy) {
@@ -106,8 +96,7 @@ static void heights_are_means(void **state) {
 
 static void sums_and_the_point_itself(void **state) {
     fixture_t *f = *state;
-    f->file[0].name = "s";
-    f->file[0].text = "0 0 3\n4 2 5\n0 2 7\n";
+    fixture_file(f, 0, "s", "0 0 3\n4 2 5\n0 2 7\n");
     assert_int_equal(fixture_feed(f, "set dgrid3d 2; splot 's'"), 0);
     assert_true(f->z[0] == 3 && f->z[2] == 7 && f->z[3] == 5);
     assert_int_equal(fixture_feed(f, "set dgrid3d 2 gauss kdensity 1; splot 's'"), 0);
@@ -119,8 +108,7 @@ static void what_is_wrong_is_told(void **state) {
     make(f);
     assert_int_equal(fixture_feed(f, "splot 's'"), 0);
     assert_non_null(strstr(f->err, "set dgrid3d"));
-    f->file[1].name = "line";
-    f->file[1].text = "0 0 3\n0 2 5\n";
+    fixture_file(f, 1, "line", "0 0 3\n0 2 5\n");
     assert_int_equal(fixture_feed(f, "set dgrid3d; splot 'line'"), ERR_EMPTY);
     assert_int_equal(fixture_feed(f, "set dgrid3d 1,1"), ERR_VALUE);
     assert_int_equal(fixture_feed(f, "set dgrid3d gauss -1"), ERR_VALUE);
@@ -131,9 +119,9 @@ static void what_is_wrong_is_told(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(heights_are_means, setup, teardown),
-        cmocka_unit_test_setup_teardown(sums_and_the_point_itself, setup, teardown),
-        cmocka_unit_test_setup_teardown(what_is_wrong_is_told, setup, teardown),
+        cmocka_unit_test_setup_teardown(heights_are_means, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(sums_and_the_point_itself, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(what_is_wrong_is_told, fixture_setup, fixture_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

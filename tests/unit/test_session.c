@@ -7,15 +7,6 @@
 
 #include "session_fixture.h"
 
-static int setup(void **state) {
-    *state = fixture_new();
-    return 0;
-}
-static int teardown(void **state) {
-    free(*state);
-    return 0;
-}
-
 /* Every line by itself: code, line, column, and a piece of the message. Nothing may be drawn. */
 static void errors_have_a_place(void **state) {
     static const struct {
@@ -304,19 +295,19 @@ static void long_lines_are_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(errors_have_a_place, setup, teardown),
-        cmocka_unit_test_setup_teardown(a_report_shows_the_place, setup, teardown),
-        cmocka_unit_test_setup_teardown(continued_lines_keep_their_places, setup, teardown),
-        cmocka_unit_test_setup_teardown(abbreviations_are_gnuplots, setup, teardown),
-        cmocka_unit_test_setup_teardown(print_is_gnuplots, setup, teardown),
-        cmocka_unit_test_setup_teardown(known_options_warn_once, setup, teardown),
-        cmocka_unit_test_setup_teardown(functions_are_sampled_as_gnuplot_does, setup, teardown),
-        cmocka_unit_test_setup_teardown(noise_is_a_function_of_the_place, setup, teardown),
-        cmocka_unit_test_setup_teardown(files_are_loaded_inside_lines, setup, teardown),
-        cmocka_unit_test_setup_teardown(replot_repeats_and_adds, setup, teardown),
-        cmocka_unit_test_setup_teardown(replot_forgets_what_failed, setup, teardown),
-        cmocka_unit_test_setup_teardown(hidden_dem_runs_to_its_end, setup, teardown),
-        cmocka_unit_test_setup_teardown(long_lines_are_refused, setup, teardown),
+        cmocka_unit_test_setup_teardown(errors_have_a_place, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(a_report_shows_the_place, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(continued_lines_keep_their_places, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(abbreviations_are_gnuplots, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(print_is_gnuplots, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(known_options_warn_once, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(functions_are_sampled_as_gnuplot_does, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(noise_is_a_function_of_the_place, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(files_are_loaded_inside_lines, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(replot_repeats_and_adds, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(replot_forgets_what_failed, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(hidden_dem_runs_to_its_end, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(long_lines_are_refused, fixture_setup, fixture_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

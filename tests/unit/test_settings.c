@@ -7,15 +7,6 @@
 
 #include "session_fixture.h"
 
-static int setup(void **state) {
-    *state = fixture_new();
-    return 0;
-}
-static int teardown(void **state) {
-    free(*state);
-    return 0;
-}
-
 static const settings_t *settings(fixture_t *f) {
     return session_settings(&f->session);
 }
@@ -265,17 +256,17 @@ static void help_says_something(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(defaults_are_gnuplots, setup, teardown),
-        cmocka_unit_test_setup_teardown(show_can_be_fed_back, setup, teardown),
-        cmocka_unit_test_setup_teardown(border_and_tics, setup, teardown),
-        cmocka_unit_test_setup_teardown(ranges, setup, teardown),
-        cmocka_unit_test_setup_teardown(view_keeps_what_is_left_out, setup, teardown),
-        cmocka_unit_test_setup_teardown(angles_are_degrees_if_so_set, setup, teardown),
-        cmocka_unit_test_setup_teardown(angles_are_degrees_if_so_set, setup, teardown),
-        cmocka_unit_test_setup_teardown(paper, setup, teardown),
-        cmocka_unit_test_setup_teardown(hidden3d, setup, teardown),
-        cmocka_unit_test_setup_teardown(titles, setup, teardown),
-        cmocka_unit_test_setup_teardown(help_says_something, setup, teardown),
+        cmocka_unit_test_setup_teardown(defaults_are_gnuplots, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(show_can_be_fed_back, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(border_and_tics, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(ranges, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(view_keeps_what_is_left_out, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(angles_are_degrees_if_so_set, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(angles_are_degrees_if_so_set, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(paper, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(hidden3d, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(titles, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(help_says_something, fixture_setup, fixture_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
