@@ -15,7 +15,8 @@
 #include "tests/oracle/solid_scenes.h"
 
 #define CASES 1500
-#define UNITS 24 /* borders may be so far apart: welds, and a rounding each time an area is cut */
+#define FLUSH 1000000000u /* so much more than their seed is the number of flush scenes: a group of their own */
+#define UNITS 24          /* borders may be so far apart: welds, and a rounding each time an area is cut */
 
 /* What is seen of the faces: their areas, and how long the borders are. */
 typedef struct seen {
@@ -92,39 +93,41 @@ static void tell(const char *what, const account_t *a) {
         what, a->scenes, a->faces, a->bodies, a->worst, a->lateral[0], a->lateral[1], a->clips[0], a->clips[1]);
 }
 
-static void random_scenes(void **state) {
-    (void)state;
+/* Scenes of a kind, `count` seeds from `first` on. */
+static void run(const char *what, uint64_t first, uint64_t count, void (*make)(solid_scene_t *s, uint64_t seed)) {
     account_t all = {0};
-    uint64_t count = cases_scaled(CASES), first = cases_first(1, count);
+    uint64_t from, to;
     int failed = 0;
-    if (cases_only_seed(&first)) count = 1;
-    for (uint64_t seed = first; seed < first + count && failed < 3; seed++) {
+    if (!cases_seeds(first, cases_scaled(count), &from, &to)) return;
+    for (uint64_t seed = from; seed < to && failed < 3; seed++) {
         solid_scene_t s;
-        solid_scene_random(&s, seed, seed % 8 ? 5 : 20);
+        make(&s, seed);
         if (!compare(&s, &all)) {
             failed++;
-            print_message("# FAILED RIDGELINE_SEED=%llu build/tests/property/test_body_random: %s\n",
-                          (unsigned long long)seed, s.what);
+            print_message("# FAILED RIDGELINE_SEED=%llu build/tests/property/test_body_random: %s, %s\n",
+                          (unsigned long long)seed, what, s.what);
         }
         solid_scene_free(&s);
     }
-    tell("random", &all);
+    tell(what, &all);
     assert_int_equal(failed, 0);
-    assert_true(count == 1 || all.bodies > 0);
+    assert_true(to - from == 1 || all.bodies > 0);
 }
 
+static void random_scene(solid_scene_t *s, uint64_t seed) {
+    solid_scene_random(s, seed, seed % 8 ? 5 : 20);
+}
+static void random_scenes(void **state) {
+    (void)state;
+    run("random", 1, CASES, random_scene);
+}
+
+static void flush_scene(solid_scene_t *s, uint64_t seed) {
+    solid_scene_flush(s, seed - FLUSH, 12);
+}
 static void flush_scenes(void **state) {
     (void)state;
-    account_t all = {0};
-    int failed = 0;
-    for (uint64_t seed = 1; seed <= cases_scaled(CASES / 5); seed++) {
-        solid_scene_t s;
-        solid_scene_flush(&s, seed, 12);
-        if (!compare(&s, &all)) failed++, print_message("# FAILED flush %llu: %s\n", (unsigned long long)seed, s.what);
-        solid_scene_free(&s);
-    }
-    tell("flush", &all);
-    assert_int_equal(failed, 0);
+    run("flush", FLUSH + 1, CASES / 5, flush_scene);
 }
 
 static void rows_of_bodies(void **state) {
