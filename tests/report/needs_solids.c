@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "tests/oracle/halo_run.h"
 #include "tests/oracle/halo_scenes.h"
 #include "tests/oracle/solid_ink.h"
 #include "tests/report/create.h"
@@ -50,11 +51,14 @@ typedef struct tally {
     int32_t line, here, most;
 } tally_t;
 
-static int count_piece(void *ctx, const ink_piece_t *p) {
-    tally_t *t = ctx;
-    t->here = p->line == t->line ? t->here + 1 : 1;
-    t->line = p->line;
+static void count(tally_t *t, int32_t line) {
+    t->here = line == t->line ? t->here + 1 : 1;
+    t->line = line;
     if (t->here > t->most) t->most = t->here;
+}
+
+static int count_piece(void *ctx, const ink_piece_t *p) {
+    count(ctx, p->line);
     return 0;
 }
 
@@ -112,18 +116,6 @@ void needs_solids(const char *dir) {
 
 /* --- haloes --- */
 
-typedef struct gaps {
-    tally_t tally;
-    int64_t pieces;
-} gaps_t;
-
-static int take_halo(void *ctx, int32_t id, uint32_t from_q30, uint32_t to_q30) {
-    (void)from_q30, (void)to_q30;
-    gaps_t *g = ctx;
-    g->pieces++;
-    return count_piece(&g->tally, &(ink_piece_t){.line = id});
-}
-
 static bool apart(int32_t a, int32_t b, int32_t c, int32_t d) {
     return (a < b ? b : a) < (c < d ? c : d) || (c < d ? d : c) < (a < b ? a : b);
 }
@@ -138,22 +130,19 @@ static long long wire_pairs(const halo_edge_t *e, int32_t n) {
 }
 
 static void halo_needs(FILE *out, const char *family, const halo_edge_t *edge, int32_t n, int32_t width) {
-    const size_t bytes = HALO_BYTES(n, 12 * (size_t)n + 4096);
-    void *mem = malloc(bytes);
-    halo_t h;
-    gaps_t gaps = {.tally = {.line = -1}};
-    if (!mem) abort();
-    halo_init(&h, mem, bytes);
-    for (int32_t i = 0; i < n; i++)
-        if (halo_add(&h, i, edge[i].p, edge[i].q)) exit(1);
-    if (halo_cut(&h, 0) || halo_draw(&h, width, &(halo_sink_t){&gaps, take_halo})) exit(1);
-    const long long all = (long long)n * (n - 1) / 2, tests = h.tests, found = h.crossings, meet = wire_pairs(edge, n);
-    fprintf(out, "%s\t%d\t%d\t%d\t%lld\t%lld\t%lld\t%lld\t%lld\t%zu\n", family, n, 2 * n, gaps.tally.most, tests, found,
-            (long long)gaps.pieces, all, meet, h.used);
-    printf("| %s | all %d | %d | %d | %lld | %lld | %lld | %zu | %lld | %.0f x | %lld | %.2f x |\n", family, n, 2 * n,
-           gaps.tally.most, tests, found, (long long)gaps.pieces, h.used, all, (double)all / (double)tests, meet,
+    halo_run_t run = {0};
+    tally_t tally = {.line = -1};
+    halo_run_make(&run, n, 12 * (size_t)n + 4096);
+    if (halo_run_draw(&run, edge, n, width)) exit(1);
+    for (int k = 0; k < run.n; k++) count(&tally, run.piece[k].edge);
+    const long long all = (long long)n * (n - 1) / 2, tests = run.h.tests, found = run.h.crossings,
+                    meet = wire_pairs(edge, n);
+    fprintf(out, "%s\t%d\t%d\t%d\t%lld\t%lld\t%d\t%lld\t%lld\t%zu\n", family, n, 2 * n, tally.most, tests, found, run.n,
+            all, meet, run.h.used);
+    printf("| %s | all %d | %d | %d | %lld | %lld | %d | %zu | %lld | %.0f x | %lld | %.2f x |\n", family, n, 2 * n,
+           tally.most, tests, found, run.n, run.h.used, all, (double)all / (double)tests, meet,
            (double)meet / (double)tests);
-    free(mem);
+    halo_run_free(&run);
 }
 
 void needs_haloes(const char *dir) {
