@@ -4,17 +4,18 @@
 # commit and compiler. boards.sh --errors OUT: the same rows beside the errors of their families, which other programs left in OUT.
 set -e
 
-# Every kernel, family and number of bits. lattice.tsv and solids-bits.tsv come first and bring the errors, steps.
+# Every kernel, family and number of bits; the first row of a kernel and family is that of the bits that are shipped, in both tables.
+# lattice.tsv and solids-bits.tsv come first and bring the errors, steps.
 if [ "$1" = --errors ]; then
-    awk -F '\t' -v shipped='perimeter 15 windows 15 horizon 15 convex 14 area 14 halo 8.68 clip 8.68' '
+    awk -F '\t' '
         function most(a, b, c) { a += 0; b += 0; c += 0; return a > b ? a > c ? a : c : b > c ? b : c }
-        BEGIN { for (i = split(shipped, s, " "); i > 0; i -= 2) is[s[i - 1] s[i]] = 1 }
         FNR == 1 { file++; next }
         file == 1 { error[$1, $2, $4] = most($5, $6, $9); next }
         file == 2 { error[$1, $2, $3] = most($6, $7, $8); next }
+        { shipped = !seen[$1, $2]++ }
         !(($1, $2, $3) in error) || $4 <= 0 { next }
         { if (!(($1, $2) in rows)) order[++n] = $1 SUBSEP $2
-          rows[$1, $2] = rows[$1, $2] sprintf("| %s | %s | %s%s | %.2f | %.0f | %.0f | %.0f | %.1f us |\n", $1, $2, $3, is[$1 $3] ? " (shipped)" : "",
+          rows[$1, $2] = rows[$1, $2] sprintf("| %s | %s | %s%s | %.2f | %.0f | %.0f | %.0f | %.1f us |\n", $1, $2, $3, shipped ? " (shipped)" : "",
               error[$1, $2, $3], $5 / $4, $6 / $4, $7 / $4, $7 / $4 / 133) }
         END {
             print "# Error against speed on the boards\n"
@@ -58,7 +59,6 @@ cmp "$work/m0an.lines" "$work/m3.lines" && cmp "$work/m0an.lines" "$work/rp2040.
     paste "$work/m0an.lines" "$work/m0an.spent" "$work/m3.spent" "$work/rp2040.spent"
 } >"$out/boards.tsv"
 
-# The first row of a kernel and family is that of the bits that are shipped.
 awk -F '\t' '/^(perimeter|windows|horizon|convex|area|halo|clip)/ {
     if (!(($1, $2) in first)) { first[$1, $2] = $0; order[++n] = $1 SUBSEP $2 }
     else if ($4 > 0) {
