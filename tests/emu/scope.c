@@ -20,7 +20,6 @@
 #include "stim.h"
 
 #define EXPORT __attribute__((visibility("default")))
-#define BYTE_NS 86806
 #define PINS 6
 #define QUIET_NS 20000000
 #define STILL_NS 30000000000
@@ -77,14 +76,12 @@ static void schedule(void) {
     timer_mod(g.timer, at > now ? at : now + 1);
 }
 
-static bool type(uint8_t byte) {
+static void type(uint8_t byte) {
     void *uart = qemu_chr_find("serial0");
-    bool can = uart && qemu_chr_be_can_write(uart) > 0;
-    if (can)
+    if (uart && qemu_chr_be_can_write(uart) > 0)
         qemu_chr_be_write(uart, &byte, 1);
     else
         fprintf(stderr, "scope: byte %d lost by the UART\n", byte);
-    return can;
 }
 
 static void set_input(int input, int level) {

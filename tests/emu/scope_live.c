@@ -9,12 +9,10 @@
 
 #include "qemu_inside.h"
 
-#define BYTE_NS 86806
-
 static struct {
     _Alignas(16) unsigned char stop[256], typing[256]; /* QEMUTimers, which are smaller */
     FILE *orders;
-    bool (*type)(uint8_t byte);
+    void (*type)(uint8_t byte);
     void (*set_input)(int input, int level);
     uint8_t typed[64];
     unsigned to_type, at;
@@ -84,7 +82,7 @@ static void stand_still(void *unused) {
     qemu_system_shutdown_request(3);
 }
 
-void live_begin(bool (*type)(uint8_t byte), void (*set_input)(int input, int level)) {
+void live_begin(void (*type)(uint8_t byte), void (*set_input)(int input, int level)) {
     l.type = type;
     l.set_input = set_input;
     l.orders = fdopen(3, "r");
