@@ -17,11 +17,6 @@ static void ends(const session_t *s, int k, num_t out[2]) {
     out[1] = r->auto_hi ? num_from_i64(5) : r->reverse ? r->lo : r->hi;
 }
 
-static num_t place(const num_t end[2], int32_t i, int32_t n) {
-    num_t part = num_div(num_mul(num_sub(end[1], end[0]), num_from_i64(i)), num_from_i64(n - 1));
-    return i == n - 1 ? end[1] : num_add(end[0], part);
-}
-
 void plot_limits(const session_t *s, isolines_t *iso) {
     for (int k = 0; k < 3; k++) {
         const range_t *r = &s->plot.range[k];
@@ -34,7 +29,7 @@ void plot_limits(const session_t *s, isolines_t *iso) {
 static int add_line(build_t *b, const num_t end[2][2], int along, num_t at, int32_t n) {
     num_t uv[2] = {at, at}, p[3];
     for (int32_t i = 0; i < n; i++) {
-        uv[along] = place(end[along], i, n);
+        uv[along] = num_between(end[along], i, n);
         for (int k = 0; k < 3; k++) { /* the first error stays where expr_fault() finds it */
             value_t value = value_undef();
             if (!b->error) b->error = expr_eval(&b->s->lang, &b->src->part[k], uv, &value);
@@ -49,15 +44,15 @@ static int add_line(build_t *b, const num_t end[2][2], int along, num_t at, int3
 static int lines(build_t *b, const num_t end[2][2]) {
     const int32_t *iso = b->s->settings.isosamples, *along = b->s->settings.samples;
     int err = 0;
-    for (int32_t i = 0; i < iso[0] && !err; i++) err = add_line(b, end, 1, place(end[0], i, iso[0]), along[1]);
-    for (int32_t j = 0; j < iso[1] && !err; j++) err = add_line(b, end, 0, place(end[1], j, iso[1]), along[0]);
+    for (int32_t i = 0; i < iso[0] && !err; i++) err = add_line(b, end, 1, num_between(end[0], i, iso[0]), along[1]);
+    for (int32_t j = 0; j < iso[1] && !err; j++) err = add_line(b, end, 0, num_between(end[1], j, iso[1]), along[0]);
     return err ? err : isolines_end_set(&b->iso, false);
 }
 
 static int facets(build_t *b, const num_t end[2][2]) {
     const int32_t nu = b->s->settings.isosamples[0], nv = b->s->settings.isosamples[1];
     int err = 0;
-    for (int32_t j = 0; j < nv && !err; j++) err = add_line(b, end, 0, place(end[1], j, nv), nu);
+    for (int32_t j = 0; j < nv && !err; j++) err = add_line(b, end, 0, num_between(end[1], j, nv), nu);
     return err ? err : isolines_end_set(&b->iso, true);
 }
 

@@ -115,6 +115,11 @@ num_t num_ipow(num_t a, int32_t n) {
     return r;
 }
 
+num_t num_between(const num_t end[2], int32_t i, int32_t n) {
+    if (i == n - 1) return end[1];
+    return num_add(end[0], num_div(num_mul(num_sub(end[1], end[0]), num_from_i64(i)), num_from_i64(n - 1)));
+}
+
 int num_cmp(num_t a, num_t b) {
     return num_fast_cmp(a, b);
 }

@@ -55,6 +55,8 @@ num_t num_sqrt(num_t a);             /* undefined for a < 0 */
 /* a^n by repeated squaring: exact where the result is representable, otherwise within n ulp; 0^0 is 1,
  * 0^negative undefined. */
 num_t num_ipow(num_t a, int32_t n);
+/* Place i of n, 0 to n - 1, evenly from end[0] to end[1], which are met exactly. */
+num_t num_between(const num_t end[2], int32_t i, int32_t n);
 /* -1, 0, 1 as a <, ==, > b; both must be defined. */
 int num_cmp(num_t a, num_t b);
 int num_sign(num_t a); /* -1, 0, 1 */

@@ -19,19 +19,12 @@ int scattered_point(scattered_t *s, const num_t p[3]) {
     if (s->pool->high - s->pool->low < 3 || s->n == INT32_MAX) return ERR_FULL;
     for (int k = 0; k < 3; k++) s->point[(size_t)s->n * 3 + (size_t)k] = packed_from_num(p[k]);
     for (int k = 0; k < 2; k++) {
-        if (s->n == 0 || num_cmp(p[k], s->lo[k]) < 0) s->lo[k] = p[k];
-        if (s->n == 0 || num_cmp(p[k], s->hi[k]) > 0) s->hi[k] = p[k];
+        if (s->n == 0 || num_cmp(p[k], s->end[k][0]) < 0) s->end[k][0] = p[k];
+        if (s->n == 0 || num_cmp(p[k], s->end[k][1]) > 0) s->end[k][1] = p[k];
     }
     s->pool->low += 3;
     s->n++;
     return 0;
-}
-
-static num_t power(num_t a, int32_t q) {
-    num_t r = num_from_i64(1);
-    for (; q > 0; q >>= 1, a = num_mul(a, a))
-        if (q & 1) r = num_mul(r, a);
-    return r;
 }
 
 /* Of a point so far away; *exact: it counts alone. */
@@ -39,7 +32,7 @@ static num_t weight(const scattered_spec_t *spec, num_t dx, num_t dy, bool *exac
     const num_t one = num_from_i64(1), none = num_from_i64(0);
     if (spec->weight == SCATTERED_QNORM) {
         const num_t r2 = num_add(num_mul(dx, dx), num_mul(dy, dy));
-        const num_t d = num_mul(power(r2, spec->q / 2), spec->q % 2 ? num_sqrt(r2) : one);
+        const num_t d = num_mul(num_ipow(r2, spec->q / 2), spec->q % 2 ? num_sqrt(r2) : one);
         *exact = num_sign(d) == 0;
         return *exact ? one : num_div(one, d);
     }
@@ -75,20 +68,16 @@ static num_t height(const scattered_t *s, const scattered_spec_t *spec, num_t x,
     return spec->density ? sum : num_div(sum, weights);
 }
 
-static num_t place(const scattered_t *s, int k, int32_t i, int32_t n) {
-    const num_t part = num_div(num_mul(num_sub(s->hi[k], s->lo[k]), num_from_i64(i)), num_from_i64(n - 1));
-    return i == n - 1 ? s->hi[k] : num_add(s->lo[k], part);
-}
-
 int scattered_grid(const scattered_t *s, const scattered_spec_t *spec, data_grid_t *g) {
     enum data_grid_trouble trouble;
-    if (s->n == 0 || num_cmp(s->lo[0], s->hi[0]) == 0 || num_cmp(s->lo[1], s->hi[1]) == 0) return ERR_EMPTY;
+    if (s->n == 0 || num_cmp(s->end[0][0], s->end[0][1]) == 0 || num_cmp(s->end[1][0], s->end[1][1]) == 0)
+        return ERR_EMPTY;
     data_grid_start(g, s->pool);
     int err = 0;
     for (int32_t j = 0; j < spec->ny && !err; j++) {
-        const num_t y = place(s, 1, j, spec->ny);
+        const num_t y = num_between(s->end[1], j, spec->ny);
         for (int32_t i = 0; i < spec->nx && !err; i++) {
-            const num_t x = place(s, 0, i, spec->nx);
+            const num_t x = num_between(s->end[0], i, spec->nx);
             err = data_grid_point(g, x, y, height(s, spec, x, y), &trouble);
         }
         if (!err) err = data_grid_break(g, &trouble);

@@ -33,7 +33,7 @@ typedef struct scattered {
     data_pool_t *pool;
     packed_t *point; /* x, y, z of each */
     int32_t n;
-    num_t lo[2], hi[2];
+    num_t end[2][2]; /* of x and y: the least and the most */
 } scattered_t;
 
 void scattered_start(scattered_t *s, data_pool_t *pool);
