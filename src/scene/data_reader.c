@@ -146,6 +146,7 @@ static int end_set(data_reader_t *r) {
 }
 
 static num_t part_value(data_reader_t *r, int32_t k) {
+    if (!r->spec->parts) return r->column[k + 1];
     int32_t c = r->spec->part[k];
     if (c == USING_EXPR) return r->spec->compute(r->spec->ctx, k);
     if (c == USING_BLOCK) return num_from_i64(r->kept_block);
@@ -165,11 +166,8 @@ static int point(data_reader_t *r) {
     r->column[0] = num_from_i64(r->set_points++);
     num_t x, y, z;
     if (r->spec->flat) {
-        if (r->parts == 1)
-            x = num_from_i64(r->kept_point);
-        else
-            x = s->parts ? part_value(r, 0) : r->column[1];
-        y = s->parts ? part_value(r, r->parts - 1) : r->column[r->parts];
+        x = r->parts == 1 ? num_from_i64(r->kept_point) : part_value(r, 0);
+        y = part_value(r, r->parts - 1);
         r->kept_point++;
         num_t p[3] = {x, y, y};
         data_place(s, p);
@@ -178,19 +176,14 @@ static int point(data_reader_t *r) {
     if (r->parts == 1) {
         x = num_from_i64(r->kept_point);
         y = num_from_i64(r->kept_block);
-        z = s->parts ? part_value(r, 0) : r->column[1];
-    } else if (CONFIG_SAMPLED && r->parts == 2) { /* on a sphere or cylinder of radius 1 */
-        x = s->parts ? part_value(r, 0) : r->column[1];
-        y = s->parts ? part_value(r, 1) : r->column[2];
-        z = num_from_i64(1);
-    } else if (s->parts) {
+        z = part_value(r, 0);
+    } else {
         x = part_value(r, 0);
         y = part_value(r, 1);
-        z = part_value(r, 2);
-    } else {
-        x = r->column[1];
-        y = r->column[2];
-        z = r->column[3];
+        if (CONFIG_SAMPLED && r->parts == 2) /* on a sphere or cylinder of radius 1 */
+            z = num_from_i64(1);
+        else
+            z = part_value(r, 2);
     }
     r->kept_point++;
     num_t p[3] = {x, y, z};
