@@ -74,11 +74,7 @@ static inline int32_t exp_steps(int64_t m, int32_t e) {
 static inline __attribute__((always_inline)) words_t exp_rest(int64_t m, int32_t e, int32_t k) {
     /* a - k ln2/64 modulo 2^64 in Q70: only the difference has to fit */
     const int s = e + 70; /* at most 17 */
-    words_t r = words_of((uint64_t)m);
-    if (s > 0)
-        r = words_shl(r, s);
-    else if (s < 0)
-        r = words_of((uint64_t)(m >> (s > -63 ? -s : 63)));
+    const words_t a = words_of((uint64_t)m), r = s > 0 ? words_shl(a, s) : words_sar_far(a, -s);
     /* The lower word of ln2/64 counts as negative. */
     words_t step = words_mul_s32(k, (int32_t)(uint32_t)LN2_64_Q70);
     step = words(words_hi(step) + (uint32_t)k * (uint32_t)((LN2_64_Q70 >> 32) + 1), words_lo(step));

@@ -64,8 +64,9 @@ static inline num_t num_double_round(uint64_t u, int32_t e, int64_t s) {
 /* The nearest double. */
 static inline num_t num_double(num_t a) {
     if (a.m == 0) return a;
-    const uint32_t sign = (uint32_t)((int32_t)(a.m >> 32) >> 31);
-    return num_double_round_words(words_with_sign(words_of((uint64_t)a.m), sign), a.e, sign);
+    const words_t m = words_of((uint64_t)a.m);
+    const uint32_t sign = words_sign(m);
+    return num_double_round_words(words_with_sign(m, sign), a.e, sign);
 }
 
 /* Is there nothing but zero or undefined: a normalised significand shows it in its upper word. */
@@ -87,7 +88,7 @@ static inline __attribute__((always_inline)) num_t num_double_sum_narrow(num_t a
         e = b.e;
     }
     if (NUM_FAST_RARE(d > 63)) return (num_t){(int64_t)words_join(big), e, false};
-    const uint32_t sign = (uint32_t)((int32_t)words_hi(big) >> 31);
+    const uint32_t sign = words_sign(big);
     big = words_with_sign(big, sign);
     small = words_with_sign(small, sign);
     uint32_t lost = 0;
@@ -134,7 +135,7 @@ static inline num_t num_double_mul(num_t a, num_t b) {
     int32_t e = a.e + b.e + 62;
     if (NUM_DOUBLE_NARROW) {
         uint32_t lost = (uint32_t)p.lo | (uint32_t)(p.lo >> 32);
-        return num_double_round_lost(words_of(p.hi), lost, e, (uint32_t)((int32_t)((a.m ^ b.m) >> 32) >> 31));
+        return num_double_round_lost(words_of(p.hi), lost, e, words_sign(words_of((uint64_t)(a.m ^ b.m))));
     }
     int t = (int)(p.hi >> 63) ^ 1;
     uint64_t u = p.hi << t | (p.lo >> 63 & (uint64_t)t);

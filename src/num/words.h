@@ -176,6 +176,10 @@ static inline words_t words_sar_far(words_t a, int n) {
     }
     return n ? words_sar(a, n) : a;
 }
+/* 0, or ~0 of a negative one. */
+static inline uint32_t words_sign(words_t a) {
+    return (uint32_t)((int32_t)words_hi(a) >> 31);
+}
 /* a with the sign of s, which is 0 or ~0: (a ^ s) - s. */
 static inline words_t words_with_sign(words_t a, uint32_t s) {
     if (__builtin_constant_p(s) && s == 0) return a;
