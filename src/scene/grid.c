@@ -197,12 +197,6 @@ static bool evaluated(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
     return scaled(g, z, zi);
 }
 
-static bool height(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
-    if (g->cache == NULL) return evaluated(g, i, j, zi);
-    *zi = g->cache[(int64_t)j * g->nx + i];
-    return *zi != GRID_HOLE;
-}
-
 int32_t grid_row(grid_t *g, int32_t j, int32_t *zi, uint8_t *hole) {
     int32_t holes = 0;
     const int32_t *cached = g->cache ? g->cache + (int64_t)j * g->nx : NULL;
@@ -230,7 +224,7 @@ int32_t grid_row(grid_t *g, int32_t j, int32_t *zi, uint8_t *hole) {
 }
 
 bool grid_height(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
-    return height(g, i, j, zi);
+    return g->cache == NULL ? evaluated(g, i, j, zi) : grid_cached_height(g, i, j, zi);
 }
 
 bool grid_is_tall(const grid_t *g) {

@@ -14,8 +14,6 @@
 
 #define GRID_SIDE_MAX 65536 /* points along one side */
 
-#define GRID_HOLE INT32_MIN /* in grid_t.cache */
-
 typedef struct grid {
     const surface_t *src;
     int32_t nx, ny;
@@ -41,6 +39,12 @@ int grid_measure(grid_t *g, const surface_t *src, const num_t *lo, const num_t *
 int32_t grid_row(grid_t *g, int32_t j, int32_t *zi, uint8_t *hole);
 /* One height; false at a hole. */
 bool grid_height(grid_t *g, int32_t i, int32_t j, int32_t *zi);
+/* The same of a grid with a cache, inline. */
+#define GRID_HOLE INT32_MIN /* in the cache */
+static inline bool grid_cached_height(const grid_t *g, int32_t i, int32_t j, int32_t *zi) {
+    *zi = g->cache[(int64_t)j * g->nx + i];
+    return *zi != GRID_HOLE;
+}
 
 /* Are the heights so far apart, more than 2^4 times as far as the points, that an eye close to some of them needs more
  * than their 31 bits? */

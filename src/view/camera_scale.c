@@ -53,9 +53,8 @@ static bool is_inside(const extent_t *x, const page_window_t *window, int frac_b
     /* one lat of grace: a picture fitted to the window touches it */
     const int32_t side[4] = {window->x0_lat - 1, window->y0_lat - 1, window->x1_lat + 1, window->y1_lat + 1};
     int64_t at[3][4] = {{0}}; /* shares, and the middle */
-    for (int k = 0; k < 3; k++)
-        for (int n = 0; n < 4 && k < x->rows; n++)
-            at[k][n] = num_to_fixed(n < 3 ? x->share[k][n] : x->middle[k], frac_bits, NULL);
+    for (int k = 0; k < x->rows; k++)
+        for (int n = 0; n < 4; n++) at[k][n] = num_to_fixed(n < 3 ? x->share[k][n] : x->middle[k], frac_bits, NULL);
     if (x->rows == 2) at[2][3] = (int64_t)1 << frac_bits;
     if (at[2][3] <= sum_abs(at[2])) return false;
     for (int i = 0; i < 4; i++) {

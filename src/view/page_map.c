@@ -95,12 +95,8 @@ static APART void vertex_at(const page_map_t *m, int32_t i, int32_t j, int32_t z
 static inline bool vertex_h(page_map_t *m, int32_t i, int32_t j, page_h_t *h) {
     int32_t zi;
     if (m->tall) return tall_vertex_h(m, i, j, h);
-    if (CONFIG_FETCH && m->grid->cache) {
-        zi = m->grid->cache[(int64_t)j * m->grid->nx + i];
-        if (zi == GRID_HOLE) return false;
-    } else if (!grid_height(m->grid, i, j, &zi)) {
-        return false;
-    }
+    const bool inline_cache = CONFIG_FETCH && m->grid->cache != NULL;
+    if (!(inline_cache ? grid_cached_height(m->grid, i, j, &zi) : grid_height(m->grid, i, j, &zi))) return false;
     vertex_at(m, i, j, zi, h);
     return true;
 }
