@@ -8,7 +8,8 @@
 #define CRACK 96 /* units of 2^-5 lat: what is no wider is no shadow (a hundredth of a step) */
 /* two lines that meet at an angle are near each other for a bit, and no crack */
 #define LEAST_OVERLAP (8 * CRACK)
-#define JOIN 3 /* units from a straight line that rounding at windows may leave */
+#define NEAR (4 * CRACK) /* so far before or behind the other's end a line may begin: windows overlap */
+#define JOIN 3           /* units from a straight line that rounding at windows may leave */
 #define FRAC_BITS 26
 
 static bool lines_at(void *ctx, uint8_t family, int32_t line, int64_t t_q30, page_h_t *out) {
@@ -134,7 +135,7 @@ static bool is_on(const ruler_t *r, poly_point_t p) {
 }
 
 static bool is_close(int32_t a, int32_t b) {
-    return a - b <= CRACK && b - a <= CRACK;
+    return a - b <= NEAR && b - a <= NEAR;
 }
 
 /* Both run the same way round what is dark. */

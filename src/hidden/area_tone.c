@@ -19,6 +19,8 @@ enum { FACE_SHARE = 2, PARTS_SHARE = 1, SHARES = 10 };
 
 #define WINDOWS_DEEP 16
 #define WINDOW_LEAST_LAT (LAT_PER_MM / 8)
+/* More than a crack: a border of a shadow along the side of a window is in the midst of the next one. */
+#define WINDOWS_OVERLAP_LAT 8
 #define PARTS_MOST (1 << LIGHTS_MAX)
 enum { OWN = 0 }; /* tag of edges that are no border of a shadow */
 
@@ -231,12 +233,13 @@ static int hatch(const toning_t *w, const poly_t *p, int64_t bright_q30, int32_t
 /* A polygon, or what of it lies in a window. */
 static int tone_window(const toning_t *w, const poly_t *p, const area_box_t *window, int32_t percent) {
     area_toner_t *t = w->t;
-    area_box_t around = {0};
-    int err = begin(t, p, window);
+    area_box_t part = {0}, around = {0};
     if (window) { /* what the light reaches ends outside of it, so that no border of a shadow runs along it */
-        const int32_t lat = 1 << t->lattice.bits;
-        around = (area_box_t){window->x0 - lat, window->y0 - lat, window->x1 + lat, window->y1 + lat};
+        const int32_t lat = 1 << t->lattice.bits, more = WINDOWS_OVERLAP_LAT * lat;
+        part = (area_box_t){window->x0, window->y0, window->x1 + more, window->y1 + more};
+        around = (area_box_t){part.x0 - lat, part.y0 - lat, part.x1 + lat, part.y1 + lat};
     }
+    int err = begin(t, p, window ? &part : NULL);
     for (int32_t l = 0; l < t->tone.lights && !err; l++) {
         if (w->slope[l] == 0 || t->n == 0) continue;
         clip_out_t lit = {.v = t->face.v, .end = t->face.end, .n_max = t->face.most, .contours_max = t->face.most};
