@@ -24,7 +24,8 @@
  *
  * Signs are exact: planes on the scene's lattice, the eye as solid_map.h has it. Touching is generous by SOLID_FLAT
  * lattice units, 2^-26 of the scene, since vertices of slanting planes are rounded. A crossing is rounded once, to
- * 2^-30 of the edge.
+ * 2^-30 of the edge. That is right for bodies down to some 10^-5 of the scene thick (tests/oracle/solid_touching.h);
+ * of thinner ones lines may be drawn twice, or shine through.
  *
  * Objects lie in the cells of a grid over the page by their pictures' boxes; an edge visits the cells along it. Most
  * pairs are decided by rounded page coordinates with a margin for their rounding; exact products are left to edges that
