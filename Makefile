@@ -21,7 +21,7 @@ LDFLAGS  += $(SANITIZE)
 # src/ is integers only: on x86-64 the compiler itself refuses a floating-point instruction there.
 COREFLAGS := $(if $(filter x86_64,$(shell uname -m)),-mgeneral-regs-only)
 
-CORE_SRC := $(wildcard src/*.c src/*/*.c)
+CORE_SRC := $(wildcard src/*.c src/*/*.c src/*/*/*.c)
 SIM_SRC  := $(wildcard sim/*.c)
 HOST_LIB_SRC := $(filter-out host/main.c,$(wildcard host/*.c))
 ORACLE_SRC := $(wildcard tests/oracle/*.c)
@@ -157,7 +157,7 @@ VALGRIND_TESTS = $(filter-out %/test_func %/test_func_tables %/test_num %/test_w
 valgrind: host $(TESTS) ## the unit tests and the demo scenes under valgrind
 	$(Q)sh .ci/valgrind.sh $(RIDGELINE) $(VALGRIND_TESTS)
 
-SOURCES := $(sort $(wildcard src/*.[ch] src/*/*.[ch] sim/*.[ch] host/*.[ch] hal/*.[ch] hal/*/*.[ch] firmware/*.[ch] firmware/tools/*.c tests/*/*.[ch] tests/*/tools/*.[ch]))
+SOURCES := $(sort $(wildcard src/*.[ch] src/*/*.[ch] src/*/*/*.[ch] sim/*.[ch] host/*.[ch] hal/*.[ch] hal/*/*.[ch] firmware/*.[ch] firmware/tools/*.c tests/*/*.[ch] tests/*/tools/*.[ch]))
 check: fmt-check ## both compilers without a warning, static analysis, forbidden symbols on the smallest chip
 	$(Q)BUILDDIR=$(BUILDDIR) MAKE=$(MAKE) sh .ci/check.sh
 fmt: ## format every source

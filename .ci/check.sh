@@ -4,7 +4,7 @@
 cd "$(dirname "$0")/.." || exit 1
 build=${BUILDDIR:-build}/check
 failed=0
-core=$(ls src/*.c src/*/*.c 2>/dev/null)
+core=$(ls src/*.c src/*/*.c src/*/*/*.c 2>/dev/null)
 sources="$core $(ls sim/*.c host/*.c hal/linux/*.c 2>/dev/null | grep -v lines_v)"
 flags="-std=c11 -Isrc -I. -D_DEFAULT_SOURCE $(pkg-config --cflags cairo libedit)"
 
@@ -44,9 +44,9 @@ if have cppcheck; then
         --suppress=missingIncludeSystem --suppress=internalAstError \
         --suppress=shiftTooManyBitsSigned --suppress=shiftNegativeLHS --suppress=zerodivcond --suppress=objectIndex \
         --suppress=arrayIndexThenCheck --suppress=uninitvar:src/hidden/bands_add.c \
-        --suppress=uninitvar:src/hidden/windows_close.c --suppress=uninitvar:src/hidden/edges_windows.c \
-        --suppress=uninitvar:src/hidden/area_wires.c --suppress=uninitvar:src/hidden/shaded.c \
-        --suppress=ctuuninitvar:src/hidden/area_place.c $sources
+        --suppress=uninitvar:src/hidden/surface/windows_close.c --suppress=uninitvar:src/hidden/surface/edges_windows.c \
+        --suppress=uninitvar:src/hidden/area/area_wires.c --suppress=uninitvar:src/hidden/surface/shaded.c \
+        --suppress=ctuuninitvar:src/hidden/area/area_place.c $sources
     verdict $? "cppcheck"
 fi
 

@@ -14,7 +14,7 @@ for cc in "$@"; do
     *) strict= ;;
     esac
     said=$(mktemp)
-    files=$(ls src/*.c src/*/*.c sim/*.c host/*.c hal/linux/*.c tests/*/*.c tests/*/tools/*.c 2>/dev/null |
+    files=$(ls src/*.c src/*/*.c src/*/*/*.c sim/*.c host/*.c hal/linux/*.c tests/*/*.c tests/*/tools/*.c 2>/dev/null |
         grep -v -e hal/linux/lines_v -e tests/unit/test_uart.c) # one for each libgpiod; one that reads a port
     # shellcheck disable=SC2086
     if echo "$files" | xargs -P "${JOBS:-$(nproc)}" -n 24 $cc $flags $strict >"$said" 2>&1 &&

@@ -89,19 +89,20 @@
 #define CONFIG_DOUBLES CONFIG_AREA
 #endif
 
-/* 1: edges of solids that are turned from the eye are not asked what they coincide with (hidden/once_away.h). Nothing
- * depends on it but speed; 0.7 KB of code. */
+/* 1: edges of solids that are turned from the eye are not asked what they coincide with (hidden/solid/once_away.h).
+ * Nothing depends on it but speed; 0.7 KB of code. */
 #ifndef CONFIG_ONCE_AWAY
 #define CONFIG_ONCE_AWAY CONFIG_AREA
 #endif
 
-/* 1: which bodies are near an edge is looked up (hidden/convex.c), and sides of faces are seen from their pictures. 0:
- * all bodies are asked, as is right where there can only be a few. Nothing depends on it but speed; 1.5 KB of code. */
+/* 1: which bodies are near an edge is looked up (hidden/solid/convex.c), and sides of faces are seen from their
+ * pictures. 0: all bodies are asked, as is right where there can only be a few. Nothing depends on it but speed; 1.5 KB
+ * of code. */
 #ifndef CONFIG_MANY_BODIES
 #define CONFIG_MANY_BODIES 1
 #endif
-/* 1: what a horizon is nowhere below is remembered, and its gap goes far by leaps (hidden/lowest.h). Nothing depends on
- * it but speed; 1.2 KB of code. */
+/* 1: what a horizon is nowhere below is remembered, and its gap goes far by leaps (hidden/surface/lowest.h). Nothing
+ * depends on it but speed; 1.2 KB of code. */
 #ifndef CONFIG_LOWEST
 #define CONFIG_LOWEST CONFIG_AREA
 #endif

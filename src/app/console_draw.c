@@ -4,7 +4,7 @@
 #include "app/say.h"
 #include "error.h"
 #include "hal/hal.h"
-#include "hidden/horizon.h"
+#include "hidden/surface/horizon.h"
 
 static void on_progress(void *ctx, enum picture_stage stage, int32_t done, int32_t of) {
     console_t *c = ctx;

@@ -4,8 +4,8 @@
 #include "app/picture_stages.h"
 #include "config.h"
 #include "error.h"
-#include "hidden/horizon.h"
-#include "hidden/perimeter.h"
+#include "hidden/surface/horizon.h"
+#include "hidden/surface/perimeter.h"
 #include "view/autoscale.h"
 #include <string.h>
 

@@ -4,8 +4,8 @@
 #include "error.h"
 #include <string.h>
 
-#include "hidden/halo.h"
-#include "hidden/halo_ink.h"
+#include "hidden/halo/halo.h"
+#include "hidden/halo/halo_ink.h"
 #include "view/page.h"
 
 /* A width in um as lat; what is set fits. */

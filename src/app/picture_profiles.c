@@ -2,7 +2,7 @@
 #include "app/picture_stages.h"
 
 #include "error.h"
-#include "hidden/horizon.h"
+#include "hidden/surface/horizon.h"
 #include "scene/bilinear.h"
 
 static void hide_tick(void *ctx, int32_t done, int32_t of) {

@@ -2,12 +2,12 @@
 #include "app/picture_stages.h"
 
 #include "error.h"
-#include "hidden/area_tone.h"
-#include "hidden/convex.h"
-#include "hidden/halo.h"
-#include "hidden/once.h"
-#include "hidden/seams.h"
-#include "hidden/wires.h"
+#include "hidden/area/area_tone.h"
+#include "hidden/halo/halo.h"
+#include "hidden/solid/convex.h"
+#include "hidden/solid/once.h"
+#include "hidden/solid/seams.h"
+#include "hidden/solid/wires.h"
 #include "scene/surface_mesh.h"
 #include "view/dash.h"
 #include <string.h>

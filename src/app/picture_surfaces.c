@@ -2,9 +2,9 @@
 #include "app/picture_stages.h"
 
 #include "error.h"
-#include "hidden/grid_outline.h"
-#include "hidden/perimeter.h"
-#include "hidden/plain.h"
+#include "hidden/surface/grid_outline.h"
+#include "hidden/surface/perimeter.h"
+#include "hidden/surface/plain.h"
 
 static void measure_tick(void *ctx, int32_t done, int32_t of) {
     picture_tell(ctx, PICTURE_MEASURE, done, of);

@@ -1,7 +1,8 @@
 /* hidden.h - what the hidden-line kernels share: lent memory, a sink for the ink, and an account of the work.
  *
  * perimeter.h draws grid surfaces, horizon.h draws profiles. Both decide in pencil coordinates (view/chart.h)
- * against an upper and a lower horizon (hidden/envelope.h) and emit pieces of lines of the scene (hidden/ink.h). */
+ * against an upper and a lower horizon (hidden/surface/envelope.h) and emit pieces of lines of the scene
+ * (hidden/ink.h). */
 #ifndef HIDDEN_H
 #define HIDDEN_H
 

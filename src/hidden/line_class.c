@@ -1,7 +1,7 @@
 /* line_class.c - see line_class.h. */
 #include "hidden/line_class.h"
 
-#include "hidden/area_face.h"
+#include "hidden/area/area_face.h"
 #include "view/solid_map.h"
 
 bool line_is_silhouette(const solid_map_t *m, int32_t edge) {

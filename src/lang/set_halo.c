@@ -1,7 +1,7 @@
 /* set_halo.c - set halo [W] [ends|noends]: how wide the gaps of `set hidden3d halo` are, in millimetres. */
 #include "lang/session_parts.h"
 
-#include "hidden/halo.h"
+#include "hidden/halo/halo.h"
 #include "view/page.h"
 
 #define WIDTH_MIN_UM 10

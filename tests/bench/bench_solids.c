@@ -16,8 +16,8 @@
 #include <string.h>
 #include <time.h>
 
-#include "hidden/convex.h"
-#include "hidden/once.h"
+#include "hidden/solid/convex.h"
+#include "hidden/solid/once.h"
 #include "tests/bench/brute_convex.h"
 #include "tests/oracle/solid_scenes.h"
 

@@ -11,7 +11,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "hidden/perimeter.h"
+#include "hidden/surface/perimeter.h"
 #include "scene/grid.h"
 #include "tests/bench/table1.h"
 

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "error.h"
-#include "hidden/area.h"
-#include "hidden/area_tone.h"
+#include "hidden/area/area.h"
+#include "hidden/area/area_tone.h"
 #include "hidden/line_class.h"
 #include "scene/obj_reader.h"
 

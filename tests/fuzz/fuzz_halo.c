@@ -1,7 +1,7 @@
 /* Raw bytes as the edges of a wire frame: coordinates of one, two or four bytes, so that ends meet, lines coincide and
  * ranges are exceeded. Whatever comes, the visible pieces of an edge are in order and within it. */
 #include "error.h"
-#include "hidden/halo.h"
+#include "hidden/halo/halo.h"
 
 #include <stdlib.h>
 #include <string.h>

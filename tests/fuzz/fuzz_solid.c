@@ -3,9 +3,9 @@
 #include <string.h>
 
 #include "error.h"
-#include "hidden/convex.h"
-#include "hidden/once.h"
-#include "hidden/seams.h"
+#include "hidden/solid/convex.h"
+#include "hidden/solid/once.h"
+#include "hidden/solid/seams.h"
 #include "scene/obj_reader.h"
 #include "view/cut.h"
 

@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include "error.h"
-#include "hidden/area_face.h"
+#include "hidden/area/area_face.h"
 #include "tests/oracle/hard_bodies.h"
 #include "tests/oracle/num_of.h"
 #include "tests/oracle/page_ink.h"

@@ -1,13 +1,13 @@
 /* halo_ref.h - haloed lines the slow way: every edge against every other, in rationals.
  *
- * What src/hidden/halo.h promises is worked out without its method: crossings and depths are GMP rationals, no grid,
- * and a gap is the farther edge clipped by the four sides of the nearer one's halo, in long double. Where a decision of
- * the `ends` kind hangs on the rounding of a point that is not on the lattice, either answer is right: such gaps are
- * "open" and not judged. */
+ * What src/hidden/halo/halo.h promises is worked out without its method: crossings and depths are GMP rationals, no
+ * grid, and a gap is the farther edge clipped by the four sides of the nearer one's halo, in long double. Where a
+ * decision of the `ends` kind hangs on the rounding of a point that is not on the lattice, either answer is right: such
+ * gaps are "open" and not judged. */
 #ifndef HALO_REF_H
 #define HALO_REF_H
 
-#include "hidden/halo.h"
+#include "hidden/halo/halo.h"
 
 /* A drawn piece, as the kernel's sink takes it; edge is an index into the given edges. */
 typedef struct halo_ref_piece {

@@ -2,7 +2,7 @@
 #ifndef HALO_SCENES_H
 #define HALO_SCENES_H
 
-#include "hidden/halo.h"
+#include "hidden/halo/halo.h"
 
 #define HALO_SCENE_PAGE 8600000 /* lat: the short side of an A4 sheet, with margins */
 

@@ -2,7 +2,7 @@
 #ifndef HARD_SOLIDS_H
 #define HARD_SOLIDS_H
 
-#include "hidden/halo.h"
+#include "hidden/halo/halo.h"
 #include "tests/oracle/solid_scenes.h"
 
 /* Scenes 0 .. hard_solids_count() - 1, for the convex kernel and the area sort. */

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "hidden/horizon.h"
+#include "hidden/surface/horizon.h"
 
 static int32_t points(void *ctx, int32_t k) {
     const horizon_ref_t *r = ctx;

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "hidden/perimeter.h"
+#include "hidden/surface/perimeter.h"
 #include "scene/grid.h"
 
 void run_drawing_free(run_drawing_t *d) {

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "error.h"
-#include "hidden/area.h"
-#include "hidden/convex.h"
+#include "hidden/area/area.h"
+#include "hidden/solid/convex.h"
 #include "tests/oracle/num_of.h"
 #include "tests/oracle/run_cases.h"
 #include "tests/oracle/solid_ink.h"

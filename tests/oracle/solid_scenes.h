@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "hidden/area.h"
+#include "hidden/area/area.h"
 #include "lang/settings.h"
 #include "scene/mesh.h"
 #include "tests/oracle/solid_ref.h"

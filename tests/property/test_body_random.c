@@ -1,6 +1,6 @@
-/* Consolidation (hidden/area_body.h) changes no picture: of random scenes, and of rows of bodies that touch or hide
- * each other, every face shows as much sorted in bodies as sorted one by one. RIDGELINE_CASES multiplies the count,
- * RIDGELINE_SEED tries one. */
+/* Consolidation (hidden/area/area_body.h) changes no picture: of random scenes, and of rows of bodies that touch or
+ * hide each other, every face shows as much sorted in bodies as sorted one by one. RIDGELINE_CASES multiplies the
+ * count, RIDGELINE_SEED tries one. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "hidden/area.h"
+#include "hidden/area/area.h"
 #include "tests/oracle/run_cases.h"
 #include "tests/oracle/solid_scenes.h"
 

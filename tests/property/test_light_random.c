@@ -15,7 +15,7 @@
 #include <cmocka.h>
 
 #include "error.h"
-#include "hidden/area_tone.h"
+#include "hidden/area/area_tone.h"
 #include "num/num_double.h"
 #include "tests/oracle/num_of.h"
 #include "tests/oracle/run_cases.h"

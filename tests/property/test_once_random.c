@@ -1,6 +1,6 @@
 /* What falls together is drawn once: random scenes of solids and wires, bodies that stand flush among them, with the
- * stage of hidden/once.h and without. Judged on the page, where every line of the one drawing has to be covered by the
- * other, and nothing lies along anything else. RIDGELINE_CASES and RIDGELINE_SEED as everywhere. */
+ * stage of hidden/solid/once.h and without. Judged on the page, where every line of the one drawing has to be covered
+ * by the other, and nothing lies along anything else. RIDGELINE_CASES and RIDGELINE_SEED as everywhere. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -10,9 +10,9 @@
 
 #include <cmocka.h>
 
-#include "hidden/convex.h"
-#include "hidden/once.h"
-#include "hidden/wires.h"
+#include "hidden/solid/convex.h"
+#include "hidden/solid/once.h"
+#include "hidden/solid/wires.h"
 #include "tests/oracle/page_ink.h"
 #include "tests/oracle/run_cases.h"
 #include "tests/oracle/solid_scenes.h"

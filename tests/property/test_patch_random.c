@@ -18,7 +18,7 @@
 #include <cmocka.h>
 
 #include "error.h"
-#include "hidden/area_patch.h"
+#include "hidden/area/area_patch.h"
 #include "num/num_double.h"
 #include "scene/obj_reader.h"
 #include "tests/oracle/num_of.h"

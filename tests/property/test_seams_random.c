@@ -1,5 +1,5 @@
-/* Seeded random solids pushed into each other: the lines in which they meet (hidden/seams.h) against every face with
- * every other in long double. RIDGELINE_CASES multiplies the count, RIDGELINE_SEED tries one. */
+/* Seeded random solids pushed into each other: the lines in which they meet (hidden/solid/seams.h) against every face
+ * with every other in long double. RIDGELINE_CASES multiplies the count, RIDGELINE_SEED tries one. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "error.h"
-#include "hidden/seams.h"
+#include "hidden/solid/seams.h"
 #include "tests/oracle/run_cases.h"
 #include "tests/oracle/solid_scenes.h"
 

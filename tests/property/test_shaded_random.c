@@ -15,8 +15,8 @@
 
 #include <cmocka.h>
 
-#include "hidden/perimeter.h"
-#include "hidden/shaded.h"
+#include "hidden/surface/perimeter.h"
+#include "hidden/surface/shaded.h"
 #include "tests/oracle/num_of.h"
 #include "tests/oracle/run_cases.h"
 #include "view/page_map.h"

@@ -13,7 +13,7 @@
 #include <cmocka.h>
 
 #include "error.h"
-#include "hidden/area_tone.h"
+#include "hidden/area/area_tone.h"
 #include "hidden/intervals.h"
 #include "tests/oracle/run_cases.h"
 #include "tests/oracle/solid_scenes.h"

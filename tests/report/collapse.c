@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "hidden/envelope.h"
+#include "hidden/surface/envelope.h"
 #include "tests/oracle/scenes.h"
 
 #define POINTS 60

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "hidden/envelope.h"
+#include "hidden/surface/envelope.h"
 #include "tests/oracle/run_kernel.h"
 #include "tests/report/lattice.h"
 #include "view/chart.h"

@@ -1,8 +1,8 @@
 /* The wrapped functions: __real_ is the kernels' own. */
 #include "tests/report/lattice.h"
 
-#include "hidden/horizons.h"
-#include "hidden/windows_pool.h"
+#include "hidden/surface/horizons.h"
+#include "hidden/surface/windows_pool.h"
 #include "view/chart.h"
 
 int lattice_shift;

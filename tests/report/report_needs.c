@@ -14,7 +14,7 @@
 
 #define N 40
 #define PAIR_PRODUCTS (2 * 5 * 3) /* both ends of a segment in five planes */
-#define CROSSING_PRODUCTS 6       /* two orientations and two lengths along a line (hidden/envelope.c) */
+#define CROSSING_PRODUCTS 6       /* two orientations and two lengths along a line (hidden/surface/envelope.c) */
 #define TEST_PRODUCTS 2
 #define POINT_PRODUCTS 2 /* view/chart.h */
 

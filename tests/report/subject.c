@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "hidden/horizon.h"
-#include "hidden/perimeter.h"
+#include "hidden/surface/horizon.h"
+#include "hidden/surface/perimeter.h"
 #include "tests/report/lattice.h"
 
 const char *const subject_kernel_name[KERNELS] = {"perimeter", "windows", "horizon"};

@@ -2,7 +2,7 @@
 #ifndef PATH_SURFACE_H
 #define PATH_SURFACE_H
 
-#include "hidden/perimeter.h"
+#include "hidden/surface/perimeter.h"
 #include "lang/settings.h"
 #include "path/path.h"
 #include "view/camera.h"

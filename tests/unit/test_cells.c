@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "error.h"
-#include "hidden/perimeter.h"
+#include "hidden/surface/perimeter.h"
 #include "tests/oracle/num_of.h"
 #define DICE_SEED 11
 #include "tests/unit/dice.h"

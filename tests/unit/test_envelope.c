@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "error.h"
-#include "hidden/horizons.h"
+#include "hidden/surface/horizons.h"
 #define DICE_SEED 3
 #include "tests/unit/dice.h"
 

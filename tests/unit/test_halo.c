@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "error.h"
-#include "hidden/halo.h"
+#include "hidden/halo/halo.h"
 
 #define MM 32768
 #define MOST 256

@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "error.h"
-#include "hidden/horizon.h"
+#include "hidden/surface/horizon.h"
 #include "tests/oracle/num_of.h"
 #define DICE_SEED 1
 #include "tests/unit/dice.h"

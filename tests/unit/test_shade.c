@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include "hidden/shade.h"
+#include "hidden/surface/shade.h"
 
 #define ONE_Q30 (INT32_C(1) << 30)
 #define NEAR_ENOUGH 256 /* of 2^30 */

@@ -13,8 +13,8 @@
 
 #include "app/picture.h"
 #include "error.h"
-#include "hidden/convex.h"
-#include "hidden/wires.h"
+#include "hidden/solid/convex.h"
+#include "hidden/solid/wires.h"
 #include "motion/motion.h"
 #include "scene/obj_reader.h"
 #include "scene/solid_math.h"

@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "error.h"
-#include "hidden/windows.h"
+#include "hidden/surface/windows.h"
 #define DICE_SEED 5
 #include "tests/unit/dice.h"
 

@@ -11,8 +11,8 @@
 #include <stddef.h>
 
 #include "error.h"
-#include "hidden/area.h"
-#include "hidden/convex.h"
+#include "hidden/area/area.h"
+#include "hidden/solid/convex.h"
 #include "lang/settings.h"
 #include "tests/emu/bare/count_bodies.h"
 #include "tests/oracle/halo_scenes.h"

@@ -1,8 +1,8 @@
 /* Heights by num.h and func.h; viewpoints on the grid's own coordinates as often as not. */
 #include "tests/emu/bare/integer_scene.h"
 
-#include "hidden/horizon.h"
-#include "hidden/perimeter.h"
+#include "hidden/surface/horizon.h"
+#include "hidden/surface/perimeter.h"
 #include "num/func.h"
 
 /* splitmix64 (Steele, Lea, Flood 2014). */

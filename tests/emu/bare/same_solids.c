@@ -6,9 +6,9 @@
 #include <stddef.h>
 
 #include "error.h"
-#include "hidden/area_tone.h"
-#include "hidden/convex.h"
-#include "hidden/halo.h"
+#include "hidden/area/area_tone.h"
+#include "hidden/solid/convex.h"
+#include "hidden/halo/halo.h"
 #include "tests/emu/bare/bare.h"
 #include "tests/emu/bare/integer_scene.h"
 #include "tests/emu/bare/integer_solids.h"

@@ -1,0 +1,177 @@
+/* halo_ink.c - see halo_ink.h. */
+#include "hidden/halo/halo_ink.h"
+
+#include "error.h"
+#include "hidden/halo/halo.h"
+#include "num/ints.h"
+#include "view/cut.h"
+#include <string.h>
+
+/* Moved by less than this on the page, a quarter of a step, everything looks the same: what lies so close that the
+ * order depends on it touches. Files with four digits have bars that cross like that. */
+#define CONTACT 100
+
+/* An edge on the page: the part of its ink that is left, and what is at its ends. */
+typedef struct view {
+    ink_piece_t ink;
+    page_h_t h[2];
+    int32_t depth[2];
+} view_t;
+
+typedef struct halo_ink {
+    const halo_source_t *source;
+    const hidden_job_t *job;
+    hidden_stats_t *stats;
+    page_window_t window; /* the paper and a halo around it */
+    int frac_bits;        /* E of all surfaces in these units: the coarsest */
+    int64_t nearest;      /* the least E */
+    int32_t edge;         /* whose view is: */
+    view_t view;
+} halo_ink_t;
+
+static const line_space_t *lines_of(const halo_ink_t *d, const ink_piece_t *ink) {
+    return &d->source->lines[ink->surface];
+}
+
+static bool is_perspective(const halo_ink_t *d) {
+    return d->source->lines[0].perspective;
+}
+
+static int64_t depth_e(const halo_ink_t *d, const view_t *v, int end) {
+    const int64_t e = v->h[end].e >> (lines_of(d, &v->ink)->frac_bits - d->frac_bits);
+    return e > 0 ? e : 1;
+}
+
+/* What is left of edge e within the window; false if nothing. */
+static bool see(const halo_ink_t *d, int32_t e, view_t *v) {
+    if (!d->source->edge(d->source->ctx, e, &v->ink, v->h, v->depth)) return false;
+    const line_space_t *s = lines_of(d, &v->ink);
+    const int64_t start = v->ink.from;
+    const int64_t one = ink_one(v->ink.family);
+    int64_t from = 0, to = one;
+    if (!cut_between(s, &d->window, &v->h[0], &v->h[1], &from, &to)) return false;
+    const page_h_t h0 = v->h[0], h1 = v->h[1];
+    const int64_t deep = (int64_t)v->depth[1] - v->depth[0];
+    v->ink.to = start + to;
+    if (to < one) {
+        v->h[1] = line_space_between(v->ink.family, &h0, &h1, to);
+        v->depth[1] = v->depth[0] + (int32_t)ints_muldiv_round(deep, to, one);
+    }
+    v->ink.from = start + from;
+    if (from > 0) {
+        v->h[0] = line_space_between(v->ink.family, &h0, &h1, from);
+        v->depth[0] += (int32_t)ints_muldiv_round(deep, from, one);
+    }
+    return v->h[0].e > 0 && v->h[1].e > 0;
+}
+
+static halo_point_t point_of(const halo_ink_t *d, const view_t *v, int end) {
+    const page_point_t p = line_space_divide(lines_of(d, &v->ink), &v->h[end]);
+    int64_t z = v->depth[end];
+    if (is_perspective(d)) {
+        z = ints_muldiv_round(d->nearest, HALO_INK_DEPTH, depth_e(d, v, end));
+        if (z > HALO_INK_DEPTH) z = HALO_INK_DEPTH;
+    }
+    return (halo_point_t){p.x_lat, p.y_lat, (int32_t)z};
+}
+
+/* From a part of the way on the page to the parameter in space: with E at the ends, s = u E0 / (u E0 + (1 - u) E1). */
+static int64_t in_space(const halo_ink_t *d, const view_t *v, uint32_t u_q30) {
+    const int64_t way = v->ink.to - v->ink.from;
+    if (u_q30 == INK_ONE) return v->ink.to;
+    if (is_perspective(d) && u_q30 > 0) {
+        int64_t e0 = v->h[0].e, e1 = v->h[1].e; /* below 2^35 */
+        while (e0 >> 31 != 0 || e1 >> 31 != 0) e0 >>= 1, e1 >>= 1;
+        e0 *= u_q30, e1 *= INK_ONE - (int64_t)u_q30;
+        if (e0 + e1 != 0) return v->ink.from + ints_muldiv_round(way, e0, e0 + e1);
+    }
+    return v->ink.from + ints_muldiv_round(way, u_q30, INK_ONE);
+}
+
+static int take(void *ctx, int32_t edge, uint32_t from_q30, uint32_t to_q30) {
+    halo_ink_t *d = ctx;
+    if (edge != d->edge) see(d, edge, &d->view);
+    d->edge = edge;
+    ink_piece_t p = d->view.ink;
+    p.from = in_space(d, &d->view, from_q30);
+    p.to = in_space(d, &d->view, to_q30);
+    if (p.from >= p.to) return 0;
+    d->stats->pieces++;
+    return d->job->sink->piece(d->job->sink->ctx, &p);
+}
+
+static void tell(const hidden_job_t *job, int32_t done, int32_t of) {
+    if (job->tick != NULL) job->tick(job->tick_ctx, done, of);
+}
+
+/* The nearest point that is left; its depth decides the scale of all. */
+static void find_nearest(halo_ink_t *d) {
+    d->nearest = INT64_MAX;
+    for (int32_t e = 0; e < d->source->edges; e++) {
+        if (!see(d, e, &d->view)) continue;
+        for (int end = 0; end < 2; end++) {
+            const int64_t at = depth_e(d, &d->view, end);
+            if (at < d->nearest) d->nearest = at;
+        }
+    }
+}
+
+/* All but drawing, apart from it for the stack. */
+static __attribute__((noinline)) int find_crossings(halo_ink_t *d, halo_t *h, int32_t width, bool ends,
+                                                    const hidden_job_t *rest) {
+    const halo_source_t *source = d->source;
+    const hidden_job_t *job = d->job;
+    hidden_stats_t *stats = d->stats;
+    const page_window_t *w = source->lines[0].window;
+    d->window = (page_window_t){w->x0_lat - width, w->y0_lat - width, w->x1_lat + width, w->y1_lat + width};
+    view_t *v = &d->view;
+    d->frac_bits = INT32_MAX;
+    for (int32_t k = 0; k < source->surfaces; k++) {
+        if (source->lines[k].frac_bits < d->frac_bits) d->frac_bits = source->lines[k].frac_bits;
+    }
+    if (is_perspective(d)) find_nearest(d);
+    halo_init(h, rest->mem, rest->bytes);
+    h->contact = CONTACT;
+    h->tick = job->tick;
+    h->tick_ctx = job->tick_ctx;
+    int err = 0;
+    for (int32_t e = 0; e < source->edges; e++) {
+        if (e % 256 == 0) tell(job, 0, 1);
+        if (!see(d, e, v)) continue;
+        stats->edges++;
+        if (err == 0) err = halo_add(h, e, point_of(d, v, 0), point_of(d, v, 1));
+    }
+    if (err == 0) err = halo_cut(h, ends ? width : 0);
+    stats->tests = h->tests;
+    stats->crossings = err == 0 || h->crossings > 0 ? h->crossings : 0;
+    stats->bytes = h->used;
+    if (err != 0 && h->crossings <= 0) { /* it came to the edges, or to their grid */
+        /* As many as there are usually: of a grid, whose back shows through, five for two edges. */
+        const size_t crossings = (size_t)stats->edges * (v->ink.family == INK_SEGMENT ? 1 : 5) / 2;
+        stats->bytes = HALO_BYTES_PER_EDGE_LEAST * (size_t)stats->edges + HALO_BYTES_PER_CROSSING * crossings;
+    }
+    stats->bytes += HIDDEN_LENT(halo_ink_t) + HIDDEN_LENT(halo_t);
+    d->edge = -1;
+    return err;
+}
+
+int halo_ink_draw(const halo_source_t *source, int32_t width, bool ends, const hidden_job_t *job,
+                  hidden_stats_t *stats) {
+    *stats = (hidden_stats_t){0};
+    if (source->edges == 0) return 0;
+    hidden_job_t rest = *job;
+    HIDDEN_STATE(halo_ink_t, d, rest);
+    HIDDEN_STATE(halo_t, h, rest);
+    if (d == NULL || h == NULL) return ERR_FULL;
+    memset(d, 0, sizeof *d);
+    d->source = source;
+    d->job = job;
+    d->stats = stats;
+    d->edge = -1;
+    const halo_sink_t sink = {d, take};
+    int err = find_crossings(d, h, width, ends, &rest);
+    if (err != 0) return err;
+    err = halo_draw(h, width, &sink);
+    tell(job, 1, 1);
+    return err;
+}
