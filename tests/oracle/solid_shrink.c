@@ -41,8 +41,31 @@ static bool part(const solid_scene_t *s, int from, int to, double grain, solid_s
     return true;
 }
 
+/* Are all faces as flat as the lattice of a scene makes them? What a bent one hides is nobody's fault. */
+static bool is_flat(const solid_ref_t *r) {
+    for (int f = 0; f < r->nf; f++) {
+        const int n = r->first[f + 1] - r->first[f], *c = r->corner + r->first[f];
+        const exact_point_t *o = &r->vertex[c[0]];
+        double normal[3] = {0, 0, 0}, size = 0, off = 0;
+        for (int k = 0; k < n; k++) {
+            const exact_point_t *p = &r->vertex[c[k]], *q = &r->vertex[c[(k + 1) % n]];
+            normal[0] += (p->y - o->y) * (q->z - o->z) - (p->z - o->z) * (q->y - o->y);
+            normal[1] += (p->z - o->z) * (q->x - o->x) - (p->x - o->x) * (q->z - o->z);
+            normal[2] += (p->x - o->x) * (q->y - o->y) - (p->y - o->y) * (q->x - o->x);
+        }
+        for (int k = 0; k < n; k++) {
+            const exact_point_t *p = &r->vertex[c[k]];
+            const double d[3] = {p->x - o->x, p->y - o->y, p->z - o->z};
+            off = fmax(off, fabs(normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2]));
+            size = fmax(size, fmax(fabs(d[0]), fmax(fabs(d[1]), fabs(d[2]))));
+        }
+        if (off > 1e-8 * size * (fabs(normal[0]) + fabs(normal[1]) + fabs(normal[2]))) return false;
+    }
+    return true;
+}
+
 static bool keep(solid_scene_t *s, solid_scene_t *trial, bool (*fails)(void *, const solid_scene_t *), void *ctx) {
-    const bool yes = fails(ctx, trial);
+    const bool yes = (is_flat(&trial->ref) || !is_flat(&s->ref)) && fails(ctx, trial);
     solid_scene_free(yes ? s : trial);
     if (yes) *s = *trial;
     return yes;

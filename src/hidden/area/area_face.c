@@ -54,14 +54,17 @@ static void find_edges(const solid_t *s, int32_t *corner_edge) {
 /* Is a corner's angle below 1 / SHARP? Where that is, its sides are closer to each other than area_weld.h makes one for
  * a thousand units, a tenth of a step, or more. */
 #define SHARP 128
+bool area_is_sharp(poly_point_t a, poly_point_t b, poly_point_t c) {
+    const int64_t ax = (int64_t)a.x - b.x, ay = (int64_t)a.y - b.y, cx = (int64_t)c.x - b.x, cy = (int64_t)c.y - b.y,
+                  dot = ax * cx / 2 + ay * cy / 2, cross = ax * cy / 2 - ay * cx / 2;
+    return dot > 0 && ints_abs64(cross) < (uint64_t)dot / SHARP;
+}
+
 static bool is_sharp(const poly_vertex_t *v, int32_t n) {
     poly_point_t a = v[n - 1].at;
     for (int32_t k = 0; k < n; k++) {
-        const poly_point_t b = v[k].at, c = v[k + 1 < n ? k + 1 : 0].at;
-        const int64_t ax = (int64_t)a.x - b.x, ay = (int64_t)a.y - b.y, cx = (int64_t)c.x - b.x,
-                      cy = (int64_t)c.y - b.y, dot = ax * cx / 2 + ay * cy / 2, cross = ax * cy / 2 - ay * cx / 2;
-        if (dot > 0 && ints_abs64(cross) < (uint64_t)dot / SHARP) return true;
-        a = b;
+        if (area_is_sharp(a, v[k].at, v[k + 1 < n ? k + 1 : 0].at)) return true;
+        a = v[k].at;
     }
     return false;
 }

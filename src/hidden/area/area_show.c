@@ -3,6 +3,8 @@
 #include "hidden/area/area_sort.h"
 #include "hidden/area/area_weld.h"
 
+#include "num/ints.h"
+
 /* Takes a visible polygon out of what is open. */
 static int cover(area_t *a, const poly_t *p) {
     const clip_job_t job = {*a->open, *p, CLIP_EVEN_ODD, {CLIP_OUTSIDE, CLIP_NOTHING}};
@@ -16,7 +18,34 @@ static int cover(area_t *a, const poly_t *p) {
     return err;
 }
 
+static bool is_close(poly_point_t a, poly_point_t b) {
+    return ints_abs64((int64_t)a.x - b.x) <= AREA_THIN && ints_abs64((int64_t)a.y - b.y) <= AREA_THIN;
+}
+
+/* The vertex before or after k (step -1 or 1) of a contour of n that is not next to it; k if there is none. */
+static int32_t beside(const poly_vertex_t *v, int32_t n, int32_t k, int32_t step) {
+    int32_t at = k;
+    do
+        at = at + step < 0 ? n - 1 : at + step == n ? 0 : at + step;
+    while (at != k && is_close(v[at].at, v[k].at));
+    return at;
+}
+
+/* Does a polygon end somewhere in a strip so narrow that rounding and welds may have made it, and lost what hides it?
+ * Of a sharp corner that counts which is, at its tip, as narrow for a tenth of a step. */
+static bool is_narrow(const poly_t *p) {
+    for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++]) {
+        const poly_vertex_t *v = p->v + first;
+        const int32_t n = p->end[c] - first;
+        for (int32_t k = 0; k < n; k++)
+            if (area_is_sharp(v[beside(v, n, k, -1)].at, v[k].at, v[beside(v, n, k, 1)].at)) return true;
+    }
+    return false;
+}
+
+/* Of a face that was cut a part, or the whole of one. */
 static int give(area_t *a, int32_t face, const poly_t *p) {
+    if (p->v != a->faces.vertex + a->faces.face[face].first && is_narrow(p)) area_roughen(a, &a->faces.face[face]);
     a->stats->visible++;
     const int err = a->sink->polygon(a->sink->ctx, a->faces.face[face].face, p);
     a->sink_failed |= err != 0;
