@@ -99,6 +99,20 @@ size_t area_fixed_bytes(const solid_map_t *m) {
            (size_t)m->solid->nc * sizeof(poly_vertex_t);
 }
 
+/* Lines close to the eye have places that are off by so much (view/solid_map.h). */
+#define PAGE_MARGIN_LAT (1 << 10)
+
+/* What is off the paper need not be sorted. What is on it view/cut.h decides, exactly; pictures are fitted to the
+ * paper, so lines along its border are not rare, and are not to be lost by rounding. */
+static area_box_t page_of(const area_lattice_t *l) {
+    const page_window_t *w = l->m->lines.window;
+    const int32_t unit = 1 << l->bits, most = POLY_LIMIT / unit - PAGE_MARGIN_LAT;
+    return (area_box_t){((w->x0_lat < -most ? -most : w->x0_lat) - PAGE_MARGIN_LAT) * unit,
+                        ((w->y0_lat < -most ? -most : w->y0_lat) - PAGE_MARGIN_LAT) * unit,
+                        ((w->x1_lat > most ? most : w->x1_lat) + PAGE_MARGIN_LAT) * unit,
+                        ((w->y1_lat > most ? most : w->y1_lat) + PAGE_MARGIN_LAT) * unit};
+}
+
 int area_sort(const solid_map_t *m, void *mem, size_t bytes, const area_sink_t *sink,
               void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx, area_stats_t *stats) {
     area_t a = {.sink = sink, .stats = stats};
@@ -114,13 +128,11 @@ int area_sort(const solid_map_t *m, void *mem, size_t bytes, const area_sink_t *
         all.x1 = b->x1 > all.x1 ? b->x1 : all.x1;
         all.y1 = b->y1 > all.y1 ? b->y1 : all.y1;
     }
-    /* What is off the paper need not be sorted. */
-    const page_window_t *page = m->lines.window;
-    int32_t unit = 1 << a.faces.lattice.bits;
-    if (all.x0 < page->x0_lat * unit) all.x0 = page->x0_lat * unit;
-    if (all.y0 < page->y0_lat * unit) all.y0 = page->y0_lat * unit;
-    if (all.x1 > page->x1_lat * unit) all.x1 = page->x1_lat * unit;
-    if (all.y1 > page->y1_lat * unit) all.y1 = page->y1_lat * unit;
+    const area_box_t page = page_of(&a.faces.lattice);
+    if (all.x0 < page.x0) all.x0 = page.x0;
+    if (all.y0 < page.y0) all.y0 = page.y0;
+    if (all.x1 > page.x1) all.x1 = page.x1;
+    if (all.y1 > page.y1) all.y1 = page.y1;
     if (all.x0 < all.x1 && all.y0 < all.y1) err = area_windows(&a, all, tick, tick_ctx);
     return err ? err : area_wires(&a.faces, a.state, a.clip_mem, a.clip_bytes, sink);
 }
