@@ -25,8 +25,7 @@ static bool is_close(poly_point_t a, poly_point_t b) {
 /* The vertex before or after k (step -1 or 1) of a contour of n that is not next to it; k if there is none. */
 static int32_t beside(const poly_vertex_t *v, int32_t n, int32_t k, int32_t step) {
     int32_t at = k;
-    do
-        at = at + step < 0 ? n - 1 : at + step == n ? 0 : at + step;
+    do at = at + step < 0 ? n - 1 : at + step == n ? 0 : at + step;
     while (at != k && is_close(v[at].at, v[k].at));
     return at;
 }

@@ -1,89 +1,9 @@
 /* area_sort.c - see area.h: the sort itself, in one window. */
 #include "hidden/area/area_sort.h"
-#include "hidden/area/area_body.h"
 #include "hidden/area/area_weld.h"
-#include "hidden/area/area_wires.h"
 
 #include "error.h"
 #include "num/ints.h"
-
-/* ---- which of two is in front ---- */
-
-enum { BEHIND, TOGETHER, IN_FRONT, THROUGH };
-
-/* Faces that reach through each other by less than this many units of the page do not: rounding moves a border so far
- * beyond the edge where two faces meet. */
-#define LEAST_THROUGH 16
-
-/* Does the line where two planes meet run so nearly along an edge of p that is cut there that being off by so many
- * units moves the end of that edge by a tenth of a step or more? */
-#define TENTH_OF_A_STEP 1280
-static bool is_flat_cut(const poly_t *p, const area_plane_t *apart, int64_t units) {
-    const uint64_t slope = (uint64_t)area_plane_slope(apart);
-    for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++])
-        for (int32_t k = first; k < p->end[c]; k++) {
-            const poly_point_t a = p->v[k].at, b = p->v[k + 1 < p->end[c] ? k + 1 : first].at;
-            if (p->v[k].tag < 0) continue;
-            const int64_t at_a = area_plane_at(apart, a), at_b = area_plane_at(apart, b);
-            if ((at_a > 0) == (at_b > 0)) continue;
-            const uint64_t dx = ints_abs64((int64_t)b.x - a.x), dy = ints_abs64((int64_t)b.y - a.y);
-            const uint64_t a_unit = (ints_abs64(at_a) + ints_abs64(at_b)) / (dx > dy ? dx : dy);
-            if (units >= TENTH_OF_A_STEP || a_unit < slope / TENTH_OF_A_STEP * (uint64_t)units) return true;
-        }
-    return false;
-}
-
-void area_roughen(area_t *a, const area_face_t *f) {
-    int32_t from, to;
-    if (!f->body) {
-        if (!f->holed) a->state[f->face] = AREA_ROUGH;
-        return;
-    }
-    area_body_parts(&a->faces, (int32_t)(f - a->faces.face), &from, &to);
-    for (int32_t k = from; k < to; k++)
-        if (a->faces.face[k].sharp) a->state[a->faces.face[k].face] = AREA_ROUGH;
-}
-
-/* A polygon p of face s is cut by face c, or all but: so many units off, of what depth may be off. */
-static void look_at_cut(area_t *a, const poly_t *p, const area_face_t *s, const area_face_t *c,
-                        const area_plane_t *apart, int64_t slack) {
-    const int64_t units = LEAST_THROUGH + slack / area_plane_slope(apart);
-    const poly_t whole = {a->faces.vertex + c->first, &c->n, 1};
-    if (is_flat_cut(p, apart, units)) area_roughen(a, s);
-    if (is_flat_cut(&whole, apart, units)) area_roughen(a, c);
-}
-
-/* Where the polygon p of face `of` is to face `than`. Where they differ most decides, of the corners where they differ
- * by more than what either may be off there. In one plane they hide nothing of each other. */
-static int compare(area_t *a, const poly_t *p, int32_t of, int32_t than) {
-    const area_face_t *s = &a->faces.face[of], *c = &a->faces.face[than];
-    if (s->body || c->body) {
-        const int where = area_bodies_compare(&a->faces, of, than);
-        return where == 1 ? IN_FRONT : where == -1 ? BEHIND : TOGETHER;
-    }
-    const area_plane_t apart = area_plane_minus(&c->plane, &s->plane);
-    const bool deep = s->deep || c->deep;
-    int64_t through = area_plane_slope(&apart), slack = s->slack + c->slack;
-    int64_t front = 0, behind = 0;
-    bool clearly_front = false, clearly_behind = false, maybe_front = false, maybe_behind = false;
-    through = through > INT64_MAX / (4 * LEAST_THROUGH) ? INT64_MAX / 4 : through * LEAST_THROUGH;
-    for (int32_t k = 0; k < poly_vertices(p); k++) {
-        const int64_t d = area_plane_at(&apart, p->v[k].at);
-        if (deep) {
-            const int64_t z = area_plane_at(&s->plane, p->v[k].at), near = z < 0 ? z : 0;
-            slack = area_slack(&a->faces.lattice, s, near) + area_slack(&a->faces.lattice, c, near);
-        }
-        if (d > slack && d > front) front = d;
-        if (-d > slack && -d > behind) behind = -d;
-        maybe_front |= d > through;
-        maybe_behind |= -d > through;
-        clearly_front |= d > slack && d - slack > through;
-        clearly_behind |= -d > slack && -d - slack > through;
-    }
-    if (maybe_front && maybe_behind) look_at_cut(a, p, s, c, &apart, slack);
-    if (clearly_front && clearly_behind) return THROUGH;
-    return front == behind ? TOGETHER : front > behind ? IN_FRONT : BEHIND;
-}
 
 int32_t area_half_of(const area_box_t *box, const area_plane_t *plane, poly_vertex_t v[8]) {
     const poly_point_t corner[4] = {{box->x0, box->y0}, {box->x1, box->y0}, {box->x1, box->y1}, {box->x0, box->y1}};
@@ -101,8 +21,6 @@ int32_t area_half_of(const area_box_t *box, const area_plane_t *plane, poly_vert
     }
     return n;
 }
-
-/* ---- the sort ---- */
 
 /* Of a piece that cuts through face `by` what is in front of it is put on the list. */
 static int cut_through(area_t *a, int32_t piece, int32_t by, area_list_t *in) {
@@ -130,7 +48,7 @@ static int keep_front(area_t *a, int32_t piece, int32_t by, area_list_t *in) {
     const poly_t p = area_pool_poly(&a->pool, piece);
     const int32_t face = a->pool.piece[piece].face;
     if (a->faces.face[face].on_stack || !area_is_thin(&p, &a->pool.piece[piece].box)) return 0;
-    if (compare(a, &p, face, by) != IN_FRONT) return 0;
+    if (area_compare(a, &p, face, by) != AREA_IN_FRONT) return 0;
     const int32_t copy = area_pool_copy(&a->pool, piece);
     if (copy == AREA_NONE) return ERR_FULL;
     area_list_add(&a->pool, in, copy);
@@ -179,16 +97,16 @@ static int clip_piece(area_t *a, int32_t piece, int32_t by, area_list_t *in, are
     for (int32_t k = parts.first, next; k != AREA_NONE; k = next) {
         next = pool->piece[k].next;
         const poly_t p = area_pool_poly(pool, k);
-        int where = compare(a, &p, face, by);
-        if (where == BEHIND) {
+        int where = area_compare(a, &p, face, by);
+        if (where == AREA_BEHIND) {
             a->stats->removed++;
             same = false;
             area_pool_drop(pool, k);
             continue;
         }
         a->stats->errors += !a->faces.face[face].on_stack;
-        same = same && where != THROUGH;
-        if (where == THROUGH) {
+        same = same && where != AREA_THROUGH;
+        if (where == AREA_THROUGH) {
             err = cut_through(a, k, by, in);
             if (err) return err;
         } else if (same)

@@ -31,6 +31,11 @@ typedef struct area {
 int32_t area_half_of(const area_box_t *box, const area_plane_t *plane, poly_vertex_t v[8]);
 /* Ends of a face's edges, or of those of a body's sharp faces, come out roughly: area_wires.h draws them. */
 void area_roughen(area_t *a, const area_face_t *f);
+/* Where the polygon p of face `of` is to face `than`, where both are: in one plane they hide nothing of each other, and
+ * AREA_THROUGH says that they cut through each other. An edge of p in the plane of what hides its face is seen, as a
+ * line: the face is made rough for it. */
+enum { AREA_BEHIND, AREA_TOGETHER, AREA_IN_FRONT, AREA_THROUGH };
+int area_compare(area_t *a, const poly_t *p, int32_t of, int32_t than);
 /* Gives the visible pieces of a list to the sink, of a silhouette what is in each of its body's faces, and takes them
  * out of what is open and of the pool. Returns 0, ERR_FULL or the sink's error. */
 int area_show(area_t *a, area_list_t list);
