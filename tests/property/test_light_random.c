@@ -388,7 +388,8 @@ static int reached_at(const lit_scene_t *c, const double page[2], double margin,
 }
 
 /* To both sides of a border other lights reach the face: close to it if not farther off, since the shadow of a needle
- * is narrow. */
+ * is narrow, and that of a face at which the light grazes. Shadows narrower than a hundredth of a step have no borders
+ * (hidden/area_border.c), so the closest places are half of that apart. */
 static void check_borders(const lit_scene_t *c, tally_t *n) {
     const double margin = 1e-3 * c->size;
     const double most = ldexp(LAT_PER_MM, c->lit.eye_lattice.bits) * JUDGE_STEP_MM;
@@ -397,7 +398,7 @@ static void check_borders(const lit_scene_t *c, tally_t *n) {
         double dx = (double)b->end[1].x - b->end[0].x, dy = (double)b->end[1].y - b->end[0].y, l = hypot(dx, dy);
         if (l < 10 * most) continue;
         bool sure = false, differs = false;
-        for (int closer = 1; closer <= 64 && !differs; closer *= 4) {
+        for (int closer = 1; closer <= 256 && !differs; closer *= 4) {
             int mask[2];
             int32_t face[2];
             for (int side = 0; side < 2; side++) {
