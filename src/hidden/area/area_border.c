@@ -93,7 +93,34 @@ static int add(borders_t *b, const ruler_t *r, int64_t from, int64_t to) {
 
 /* ---- the borders of a polygon ---- */
 
-/* Where the next part of edge a-b begins that no other edge runs back along: the first place from `at` on, and the end
+/* The edge of p from vertex k of the contour [first, end) on. */
+static ruler_t edge_of(const poly_t *p, int32_t k, int32_t first, int32_t end) {
+    return ruler(p->v[k].at, p->v[k + 1 < end ? k + 1 : first].at);
+}
+
+static poly_point_t end_of(const ruler_t *r) {
+    return (poly_point_t){r->a.x + (int32_t)r->ux, r->a.y + (int32_t)r->uy};
+}
+
+static bool is_against(const ruler_t *r, const ruler_t *s) {
+    return r->ux * s->ux + r->uy * s->uy < 0;
+}
+
+/* Does an edge of p other than `edge`, r, run back along s where r does? Then s and that one are a spike without a
+ * width, which is no other side of r. */
+static bool is_spike(const poly_t *p, int32_t edge, const ruler_t *r, const ruler_t *s) {
+    int64_t from, to, low, high;
+    if (!overlap(s, r->a, end_of(r), &from, &to)) return false;
+    for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++])
+        for (int32_t k = first; k < p->end[c]; k++) {
+            const ruler_t m = edge_of(p, k, first, p->end[c]);
+            if (k != edge && is_against(s, &m) && overlap(s, m.a, end_of(&m), &low, &high) && low <= from && high >= to)
+                return true;
+        }
+    return false;
+}
+
+/* Where the next part of edge r begins that no other edge runs back along: the first place from `at` on, and the end
  * of that part in *to. */
 static int64_t next_free(const poly_t *p, int32_t edge, const ruler_t *r, int64_t at, int64_t *to) {
     for (bool moved = true; moved && at < INK_ONE;) {
@@ -101,10 +128,12 @@ static int64_t next_free(const poly_t *p, int32_t edge, const ruler_t *r, int64_
         *to = INK_ONE;
         for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++])
             for (int32_t k = first; k < p->end[c]; k++) {
-                poly_point_t a = p->v[k].at, b = p->v[k + 1 < p->end[c] ? k + 1 : first].at;
+                const poly_point_t a = p->v[k].at, b = p->v[k + 1 < p->end[c] ? k + 1 : first].at;
                 int64_t from, end;
                 if (k == edge || ((int64_t)b.x - a.x) * r->ux + ((int64_t)b.y - a.y) * r->uy >= 0) continue;
                 if (!overlap(r, a, b, &from, &end)) continue;
+                const ruler_t s = ruler(a, b);
+                if (is_spike(p, edge, r, &s)) continue;
                 if (from <= at && end > at) at = end, moved = true;
                 if (from > at && from < *to) *to = from;
             }
