@@ -93,52 +93,25 @@ static int add(borders_t *b, const ruler_t *r, int64_t from, int64_t to) {
 
 /* ---- the borders of a polygon ---- */
 
-/* The edge of p from vertex k of the contour [first, end) on. */
-static ruler_t edge_of(const poly_t *p, int32_t k, int32_t first, int32_t end) {
-    return ruler(p->v[k].at, p->v[k + 1 < end ? k + 1 : first].at);
-}
-
-static poly_point_t end_of(const ruler_t *r) {
-    return (poly_point_t){r->a.x + (int32_t)r->ux, r->a.y + (int32_t)r->uy};
-}
-
-static bool is_against(const ruler_t *r, const ruler_t *s) {
-    return r->ux * s->ux + r->uy * s->uy < 0;
-}
-
-/* Does an edge of p other than `edge`, r, run back along s where r does? Then s and that one are a spike without a
- * width, which is no other side of r. */
-static bool is_spike(const poly_t *p, int32_t edge, const ruler_t *r, const ruler_t *s) {
-    int64_t from, to, low, high;
-    if (!overlap(s, r->a, end_of(r), &from, &to)) return false;
+/* At a place of edge r: how many edges of p run along it there, r among them, less those that run back; and in *to
+ * where that may change. Two that run against each other are a crack, or a spike that the clipper left of one; of an
+ * odd number one is a border. */
+static int32_t runs_along(const poly_t *p, int32_t edge, const ruler_t *r, int64_t at, int64_t *to) {
+    int32_t n = 1;
+    *to = INK_ONE;
     for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++])
         for (int32_t k = first; k < p->end[c]; k++) {
-            const ruler_t m = edge_of(p, k, first, p->end[c]);
-            if (k != edge && is_against(s, &m) && overlap(s, m.a, end_of(&m), &low, &high) && low <= from && high >= to)
-                return true;
+            const poly_point_t a = p->v[k].at, b = p->v[k + 1 < p->end[c] ? k + 1 : first].at;
+            const int64_t along = ((int64_t)b.x - a.x) * r->ux + ((int64_t)b.y - a.y) * r->uy;
+            int64_t from, end;
+            if (k == edge || along == 0 || !overlap(r, a, b, &from, &end)) continue;
+            if (from <= at && end > at) {
+                n += along > 0 ? 1 : -1;
+                *to = end < *to ? end : *to;
+            } else if (from > at && from < *to)
+                *to = from;
         }
-    return false;
-}
-
-/* Where the next part of edge r begins that no other edge runs back along: the first place from `at` on, and the end
- * of that part in *to. */
-static int64_t next_free(const poly_t *p, int32_t edge, const ruler_t *r, int64_t at, int64_t *to) {
-    for (bool moved = true; moved && at < INK_ONE;) {
-        moved = false;
-        *to = INK_ONE;
-        for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++])
-            for (int32_t k = first; k < p->end[c]; k++) {
-                const poly_point_t a = p->v[k].at, b = p->v[k + 1 < p->end[c] ? k + 1 : first].at;
-                int64_t from, end;
-                if (k == edge || ((int64_t)b.x - a.x) * r->ux + ((int64_t)b.y - a.y) * r->uy >= 0) continue;
-                if (!overlap(r, a, b, &from, &end)) continue;
-                const ruler_t s = ruler(a, b);
-                if (is_spike(p, edge, r, &s)) continue;
-                if (from <= at && end > at) at = end, moved = true;
-                if (from > at && from < *to) *to = from;
-            }
-    }
-    return at;
+    return n;
 }
 
 int borders_add(borders_t *b, const poly_t *p, int32_t tag) {
@@ -146,10 +119,13 @@ int borders_add(borders_t *b, const poly_t *p, int32_t tag) {
         for (int32_t k = first; k < p->end[c]; k++) {
             if (p->v[k].tag != tag) continue;
             const ruler_t r = ruler(p->v[k].at, p->v[k + 1 < p->end[c] ? k + 1 : first].at);
-            if (r.length == 0) continue;
-            for (int64_t at = 0, to; (at = next_free(p, k, &r, at, &to)) < INK_ONE; at = to) {
-                int err = add(b, &r, at, to);
+            int64_t from = 0;
+            for (int64_t at = 0, to; at < INK_ONE && r.length > 0; at = to) {
+                const bool free = runs_along(p, k, &r, at, &to) > 0;
+                if (free && to < INK_ONE) continue;
+                const int err = add(b, &r, from, free ? to : at);
                 if (err) return err;
+                from = to;
             }
         }
     return 0;
