@@ -1,5 +1,6 @@
 /* Shadows with little memory against shadows with much: where a polygon does not fit at once it is toned window by
- * window (area_tone.h), and hatching and borders have to be the same, but for what rounding moves.
+ * window (area_tone.h), where all of them do not fit they are sorted window by window (area.h), and hatching and
+ * borders have to be the same, but for what rounding moves.
  *
  * Scenes are cubes on a ground, whose visible and lit parts are polygons of some hundred vertices, and random ones.
  * RIDGELINE_CASES tries so many times more of the latter, RIDGELINE_SEED=n one. */
@@ -74,17 +75,16 @@ static area_tone_t start(inked_t *to, int32_t n) {
         .hatch = &hatch, .light = {lights[0], lights[1]}, .lights = n, .shadow = true, .borders = &borders};
 }
 
-/* The toner alone has so little. */
-static void draw(inked_t *to, size_t bytes) {
+static void draw(inked_t *to, size_t tone_bytes, size_t sort_bytes) {
     static uint64_t sort[PLENTY / 8], kept[PLENTY / 8];
     const area_tone_t tone = start(to, 2);
-    const area_sink_t sink = {.polygon = take_polygon, .wire = no_wire};
+    const area_sink_t sink = {.polygon = take_polygon, .wire = no_wire, .overlap = true};
     const interval_use_t use = {to, least, take};
-    void *mem = malloc(bytes);
+    void *mem = malloc(tone_bytes);
     intervals_init(&hatching, kept, sizeof kept);
     to->n = 0;
-    to->err = area_toner_make(&toner, &tone, &stage.map, mem, bytes, sort, sizeof sort);
-    if (!to->err) to->err = area_sort(&stage.map, sort, sizeof sort, &sink, NULL, NULL, &stage.sorted);
+    to->err = area_toner_make(&toner, &tone, &stage.map, mem, tone_bytes, sort, sizeof sort);
+    if (!to->err) to->err = area_sort(&stage.map, sort, sort_bytes, &sink, NULL, NULL, &stage.sorted);
     if (!to->err) to->err = intervals_finish(&hatching, &use);
     borders_settle(&borders);
     to->borders = borders.n;
@@ -166,13 +166,14 @@ typedef struct worst {
     int draws, apart;
 } worst_t;
 
-/* From `from` bytes down until it does not fit. */
-static void compare(size_t from, worst_t *w) {
+/* From `from` bytes down until it does not fit; of the toner, or of the sort. */
+enum { TONER, SORT };
+static void compare(int of, size_t from, worst_t *w) {
     const double unit = ldexp(1, -area_lattice(&stage.map).bits);
-    draw(&much, PLENTY);
+    draw(&much, PLENTY, PLENTY);
     if (much.err || stage.sorted.intersections) return;
-    for (size_t bytes = from; bytes > 4096; bytes = bytes / 16 * 15) {
-        draw(&little, bytes);
+    for (size_t bytes = from; bytes > 1500; bytes = bytes / 16 * 15) {
+        draw(&little, of == TONER ? bytes : PLENTY, of == SORT ? bytes : PLENTY);
         if (little.err) {
             assert_int_equal(little.err, ERR_FULL);
             break;
@@ -216,7 +217,7 @@ static void of_cubes(void **state) {
         solid_ref_face(&s.ref, ground, 4);
         assert_int_equal(solid_stage_make(&stage, &s, true), 0);
         set_lights();
-        compare(1 << 18, &w);
+        compare(TONER, 1 << 18, &w);
         print_message(
             "# shadows of %d polygons under two lights: %zu bytes are enough to the toner; hatching within %.2f lat, "
             "borders within %.2f lat of what they are with plenty, %d borders more, in %d draws\n",
@@ -229,30 +230,40 @@ static void of_cubes(void **state) {
     }
 }
 
-static void of_random_scenes(void **state) {
-    (void)state;
+static void try_random(const char *name, int of, uint64_t from, uint64_t count) {
     uint64_t first, to;
     worst_t w = {0};
-    assert_true(cases_seeds(0, cases_scaled(300), &first, &to));
+    if (!cases_seeds(from, count, &first, &to)) return;
     for (uint64_t seed = first; seed < to; seed++) {
         solid_scene_t s = {0};
         solid_scene_random(&s, seed, 4);
         set_lights();
         const int before = w.apart;
-        if (!solid_stage_make(&stage, &s, true)) compare(1 << 17, &w);
+        if (!solid_stage_make(&stage, &s, true)) compare(of, 1 << 17, &w);
         if (w.apart > before)
             print_message("# FAILED RIDGELINE_SEED=%llu build/tests/property/test_tone_memory\n",
                           (unsigned long long)seed);
         solid_stage_free(&stage);
         solid_scene_free(&s);
     }
-    print_message("# shadows of random scenes: hatching within %.2f lat, borders within %.2f lat, %d borders more, in "
-                  "%d draws\n",
-                  w.hatch, w.border, w.joints, w.draws);
+    print_message("# shadows of random scenes, %s: hatching within %.2f lat, borders within %.2f lat, %d borders more, "
+                  "in %d draws\n",
+                  name, w.hatch, w.border, w.joints, w.draws);
     assert_int_equal(w.apart, 0);
 }
 
+static void of_random_scenes(void **state) {
+    (void)state;
+    try_random("toned by windows", TONER, 0, cases_scaled(300));
+}
+
+static void of_random_scenes_sorted(void **state) {
+    (void)state;
+    try_random("sorted by windows", SORT, 1000000000, cases_scaled(200));
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(of_cubes), cmocka_unit_test(of_random_scenes)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(of_cubes), cmocka_unit_test(of_random_scenes),
+                                       cmocka_unit_test(of_random_scenes_sorted)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -60,6 +60,7 @@ typedef struct area_sink {
     void (*again)(void *ctx, int32_t edge);
     int32_t window_faces; /* most polygons in a window of the screen subdivision; 0: what was found to be best;
                              INT32_MAX: one window, with as many pieces as the memory takes */
+    bool overlap;         /* windows reach into the next by BORDERS_OVERLAP_LAT (area_border.h) */
     bool one_by_one;      /* without consolidation (area_body.h): to compare */
 } area_sink_t;
 

@@ -11,6 +11,10 @@
 #include "view/line_space.h"
 #include <stddef.h>
 
+/* Windows of the screen subdivision overlap by so much, more than a crack: the border of a shadow along the side of one
+ * is in the midst of the next. */
+#define BORDERS_OVERLAP_LAT 8
+
 typedef struct border {
     poly_point_t end[2]; /* on the page, in units of 2^-bits lat */
 } border_t;

@@ -13,7 +13,6 @@
 
 /* Does the line where two planes meet run so nearly along an edge of p that is cut there that being off by so many
  * units moves the end of that edge by a tenth of a step or more? */
-#define TENTH_OF_A_STEP 1280
 static bool is_flat_cut(const poly_t *p, const area_plane_t *apart, int64_t units) {
     const uint64_t slope = (uint64_t)area_plane_slope(apart);
     for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++])
@@ -24,7 +23,7 @@ static bool is_flat_cut(const poly_t *p, const area_plane_t *apart, int64_t unit
             if ((at_a > 0) == (at_b > 0)) continue;
             const uint64_t dx = ints_abs64((int64_t)b.x - a.x), dy = ints_abs64((int64_t)b.y - a.y);
             const uint64_t a_unit = (ints_abs64(at_a) + ints_abs64(at_b)) / (dx > dy ? dx : dy);
-            if (units >= TENTH_OF_A_STEP || a_unit < slope / TENTH_OF_A_STEP * (uint64_t)units) return true;
+            if (units >= AREA_TENTH_OF_A_STEP || a_unit < slope / AREA_TENTH_OF_A_STEP * (uint64_t)units) return true;
         }
     return false;
 }

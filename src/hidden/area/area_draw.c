@@ -161,7 +161,11 @@ int area_draw(const solid_map_t *m, const area_tone_t *tone, const ink_sink_t *b
     intervals_init(&ink.through, intervals + part, ink.clear ? part : 0);
     int err = 0;
     if (tone) err = area_toner_make(&ink.toner, tone, m, mem + sort_bytes, tone_bytes, mem, sort_bytes);
-    const area_sink_t sink = {.ctx = &ink, .polygon = take_polygon, .wire = take_wire, .again = forget};
+    const area_sink_t sink = {.ctx = &ink,
+                              .polygon = take_polygon,
+                              .wire = take_wire,
+                              .again = forget,
+                              .overlap = tone && tone->shadow && tone->borders};
     if (!err && ink.clear) { /* all that is seen as if nothing translucent were there */
         solid_map_t through = *m;
         through.through = true;

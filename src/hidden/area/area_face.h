@@ -17,6 +17,7 @@ int32_t area_box_halve(const area_box_t *box, area_box_t half[2]);
 /* No wider than welds close from both sides (area_weld.c): the seam of two faces as rounding leaves it, or a face seen
  * edge-on. */
 #define AREA_THIN 16
+#define AREA_TENTH_OF_A_STEP 1280
 bool area_is_thin(const poly_t *p, const area_box_t *box);
 /* Is the corner b between a and c so pointed that it is no wider than a weld for a tenth of a step? */
 bool area_is_sharp(poly_point_t a, poly_point_t b, poly_point_t c);

@@ -18,33 +18,46 @@ static int cover(area_t *a, const poly_t *p) {
     return err;
 }
 
-static bool is_close(poly_point_t a, poly_point_t b) {
-    return ints_abs64((int64_t)a.x - b.x) <= AREA_THIN && ints_abs64((int64_t)a.y - b.y) <= AREA_THIN;
+static bool is_within(poly_point_t a, poly_point_t b, int32_t units) {
+    return ints_abs64((int64_t)a.x - b.x) <= (uint64_t)units && ints_abs64((int64_t)a.y - b.y) <= (uint64_t)units;
 }
 
 /* The vertex before or after k (step -1 or 1) of a contour of n that is not next to it; k if there is none. */
 static int32_t beside(const poly_vertex_t *v, int32_t n, int32_t k, int32_t step) {
     int32_t at = k;
     do at = at + step < 0 ? n - 1 : at + step == n ? 0 : at + step;
-    while (at != k && is_close(v[at].at, v[k].at));
+    while (at != k && is_within(v[at].at, v[k].at, AREA_THIN));
     return at;
 }
 
-/* Does a polygon end somewhere in a strip so narrow that rounding and welds may have made it, and lost what hides it?
- * Of a sharp corner that counts which is, at its tip, as narrow for a tenth of a step. */
-static bool is_narrow(const poly_t *p) {
+static bool is_along_side(const area_box_t *w, poly_point_t a, poly_point_t b) {
+    return (a.x == b.x && (a.x == w->x0 || a.x == w->x1)) || (a.y == b.y && (a.y == w->y0 || a.y == w->y1));
+}
+
+/* Does a polygon end somewhere in a strip that is no wider than what rounding and welds make of nothing, for a tenth of
+ * a step? What hides the strip is as narrow there, and may have been lost: if it was cut by more than the window. */
+static bool ends_narrowly(const poly_t *p, const area_box_t *window) {
+    bool cut = false, narrow = false;
     for (int32_t c = 0, first = 0; c < p->contours; first = p->end[c++]) {
         const poly_vertex_t *v = p->v + first;
         const int32_t n = p->end[c] - first;
-        for (int32_t k = 0; k < n; k++)
-            if (area_is_sharp(v[beside(v, n, k, -1)].at, v[k].at, v[beside(v, n, k, 1)].at)) return true;
+        for (int32_t k = 0; k < n; k++) {
+            const poly_point_t at = v[k].at, next = v[k + 1 < n ? k + 1 : 0].at;
+            cut |= v[k].tag < 0 && !is_along_side(window, at, next);
+            if (narrow) continue;
+            const poly_point_t a = v[beside(v, n, k, -1)].at, b = v[beside(v, n, k, 1)].at;
+            narrow = area_is_sharp(a, at, b) && !is_within(a, at, AREA_TENTH_OF_A_STEP) &&
+                     !is_within(b, at, AREA_TENTH_OF_A_STEP) && !is_along_side(window, a, at) &&
+                     !is_along_side(window, at, b);
+        }
     }
-    return false;
+    return cut && narrow;
 }
 
 /* Of a face that was cut a part, or the whole of one. */
 static int give(area_t *a, int32_t face, const poly_t *p) {
-    if (p->v != a->faces.vertex + a->faces.face[face].first && is_narrow(p)) area_roughen(a, &a->faces.face[face]);
+    if (p->v != a->faces.vertex + a->faces.face[face].first && ends_narrowly(p, &a->window))
+        area_roughen(a, &a->faces.face[face]);
     a->stats->visible++;
     const int err = a->sink->polygon(a->sink->ctx, a->faces.face[face].face, p);
     a->sink_failed |= err != 0;

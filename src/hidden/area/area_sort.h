@@ -16,6 +16,7 @@ typedef struct area {
         int32_t face;
     } * stack;
     int32_t depth;
+    area_box_t window; /* that is being sorted */
     bool sink_failed;
     /* Z subdivision: what of the window nothing visible covers yet, in one of two stores; NULL without. */
     poly_t *open;

@@ -19,8 +19,6 @@ enum { FACE_SHARE = 2, PARTS_SHARE = 1, SHARES = 10 };
 
 #define WINDOWS_DEEP 16
 #define WINDOW_LEAST_LAT (LAT_PER_MM / 8)
-/* More than a crack: a border of a shadow along the side of a window is in the midst of the next one. */
-#define WINDOWS_OVERLAP_LAT 8
 #define PARTS_MOST (1 << LIGHTS_MAX)
 enum { OWN = 0 }; /* tag of edges that are no border of a shadow */
 
@@ -235,7 +233,7 @@ static int tone_window(const toning_t *w, const poly_t *p, const area_box_t *win
     area_toner_t *t = w->t;
     area_box_t part = {0}, around = {0};
     if (window) { /* what the light reaches ends outside of it, so that no border of a shadow runs along it */
-        const int32_t lat = 1 << t->lattice.bits, more = WINDOWS_OVERLAP_LAT * lat;
+        const int32_t lat = 1 << t->lattice.bits, more = BORDERS_OVERLAP_LAT * lat;
         part = (area_box_t){window->x0, window->y0, window->x1 + more, window->y1 + more};
         around = (area_box_t){part.x0 - lat, part.y0 - lat, part.x1 + lat, part.y1 + lat};
     }

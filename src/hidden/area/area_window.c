@@ -1,5 +1,6 @@
 /* area_window.c - see area.h: the subdivision of the screen and of depth, which bounds memory. */
 #include "hidden/area/area_body.h"
+#include "hidden/area/area_border.h"
 #include "hidden/area/area_sort.h"
 #include "hidden/area/area_weld.h"
 
@@ -112,12 +113,18 @@ static void look_for_cuts(area_t *a, const area_box_t *w) {
     }
 }
 
+static area_box_t widened(const area_t *a, const area_box_t *box) {
+    const int32_t more = a->sink->overlap ? BORDERS_OVERLAP_LAT << a->faces.lattice.bits : 0;
+    return (area_box_t){box->x0, box->y0, box->x1 + more, box->y1 + more};
+}
+
 static int sort_window(area_t *a, const area_box_t *box) {
     area_list_t list;
     do { /* their faces may cut through others */
         if (a->faces.parts > 0) look_for_cuts(a, box);
     } while (a->faces.parts > 0 && area_bodies_break(&a->faces, false));
     empty_pool(a);
+    a->window = *box;
     a->stats->windows++;
     int err = fill(a, box, &list);
     if (!err) err = area_sort_list(a, list);
@@ -169,6 +176,7 @@ static int64_t find_far(const area_t *a, const area_box_t *w, int64_t near, int3
 static int sort_box(area_t *a, const area_box_t *w, int64_t near, int64_t far) {
     area_list_t list = {AREA_NONE, AREA_NONE};
     empty_pool(a);
+    a->window = *w;
     a->stats->boxes++;
     for (int32_t k = 0; k < a->faces.n; k++) {
         a->faces.face[k].on_stack = false;
@@ -233,11 +241,12 @@ static int sort_or_halve(area_t *a, const area_window_t *w, int32_t faces, area_
     bool full = faces > a->pool.pieces_max / PIECES_PER_FACE;
     *halved = (full || faces > most) && halve_usefully(a, w, faces, half, full ? 15 : 14);
     if (*halved || faces == 0) return 0;
-    int err = full ? ERR_FULL : sort_window(a, &w->box);
+    const area_box_t box = widened(a, &w->box);
+    int err = full ? ERR_FULL : sort_window(a, &box);
     if (err != ERR_FULL || a->sink_failed) return err;
     *halved = halve_usefully(a, w, faces, half, 15);
     if (*halved) return 0;
-    err = sort_boxes(a, &w->box);
+    err = sort_boxes(a, &box);
     if (err != ERR_FULL || a->sink_failed) return err;
     *halved = halve(w, a->faces.lattice.bits, half);
     return *halved ? 0 : err;
