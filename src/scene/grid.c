@@ -227,12 +227,19 @@ bool grid_height(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
     return g->cache == NULL ? evaluated(g, i, j, zi) : grid_cached_height(g, i, j, zi);
 }
 
-bool grid_is_tall(const grid_t *g) {
+/* Is v between the coordinates of points 0 and n - 1, or less than `by` beyond? */
+static bool is_about(const surface_t *s, num_t (*of)(void *ctx, int32_t i), int32_t n, num_t v, num_t by) {
+    return num_cmp(num_add(v, by), of(s->ctx, 0)) > 0 && num_cmp(num_sub(v, by), of(s->ctx, n - 1)) < 0;
+}
+
+bool grid_is_tall(const grid_t *g, const num_t eye[3]) {
     const surface_t *s = g->src;
     const num_t x = num_sub(s->x_of(s->ctx, g->nx - 1), s->x_of(s->ctx, 0));
     const num_t y = num_sub(s->y_of(s->ctx, g->ny - 1), s->y_of(s->ctx, 0));
-    const num_t height = num_ldexp(num_sub(g->z_max, g->z_min), -4);
-    return num_cmp(height, x) > 0 || num_cmp(height, y) > 0;
+    const num_t base = num_cmp(x, y) < 0 ? x : y, by = num_ldexp(base, -6);
+    const bool inside = num_cmp(num_add(eye[2], by), g->z_min) > 0 && num_cmp(num_sub(eye[2], by), g->z_max) < 0 &&
+                        is_about(s, s->x_of, g->nx, eye[0], by) && is_about(s, s->y_of, g->ny, eye[1], by);
+    return num_cmp(num_sub(g->z_max, g->z_min), num_ldexp(base, inside ? -2 : 4)) > 0;
 }
 
 bool grid_value(grid_t *g, int32_t i, int32_t j, num_t *z) {

@@ -47,8 +47,9 @@ static inline bool grid_cached_height(const grid_t *g, int32_t i, int32_t j, int
 }
 
 /* Are the heights so far apart, more than 2^4 times as far as the points, that an eye close to some of them needs more
- * than their 31 bits? */
-bool grid_is_tall(const grid_t *g);
+ * than their 31 bits? So it does from a fourth of them on where it is in the surface's box, or close to that: a
+ * ten-thousandth of them from the surface, rounded heights would turn its lines of sight by steps. */
+bool grid_is_tall(const grid_t *g, const num_t eye[3]);
 /* One height as it is, evaluated again; false at a hole. */
 bool grid_value(grid_t *g, int32_t i, int32_t j, num_t *z);
 

@@ -98,24 +98,21 @@ bool chart_row_has_eye(const chart_t *c, int32_t j) {
 int8_t chart_seen(const chart_t *c, grid_t *g) {
     if (!c->cam->perspective) return 0;
     if (c->side_x != 0 || c->side_y != 0) return 0;
-    /* The eye is above or below its cell: compare with the cell's bilinear height. */
+    /* The eye is above or below its cell, whose height there is a mean of its corners': how far is that above the eye?
+     */
+    const num_t *eye = c->cam->eye;
     num_t x0 = x_at(c, c->i0), x1 = x_at(c, c->i0 + 1), y0 = y_at(c, c->j0), y1 = y_at(c, c->j0 + 1);
-    num_t u = num_div(num_sub(c->cam->eye[0], x0), num_sub(x1, x0));
-    num_t v = num_div(num_sub(c->cam->eye[1], y0), num_sub(y1, y0));
-    num_t one = num_from_i64(1), height = num_from_i64(0), weight = num_from_i64(0);
+    num_t u = num_div(num_sub(eye[0], x0), num_sub(x1, x0)), v = num_div(num_sub(eye[1], y0), num_sub(y1, y0));
+    num_t one = num_from_i64(1), above = num_from_i64(0);
+    bool defined = false;
     for (int k = 0; k < 4; k++) {
-        int32_t zi;
-        num_t part = num_mul(k & 1 ? u : num_sub(one, u), k >> 1 ? v : num_sub(one, v));
-        if (part.m == 0 || !grid_height(g, c->i0 + (k & 1), c->j0 + (k >> 1), &zi)) continue;
-        height = num_add(height, num_mul(part, num_from_fixed(zi, -g->z_exp)));
-        weight = num_add(weight, part);
+        num_t z, part = num_mul(k & 1 ? u : num_sub(one, u), k >> 1 ? v : num_sub(one, v));
+        if (part.m == 0 || !grid_value(g, c->i0 + (k & 1), c->j0 + (k >> 1), &z)) continue;
+        above = num_add(above, num_mul(part, num_sub(z, eye[2])));
+        defined = true;
     }
-    if (weight.m == 0) {
-        height = middle(g->z_min, g->z_max);
-    } else {
-        height = num_add(num_div(height, weight), g->z_origin);
-    }
-    return num_cmp(c->cam->eye[2], height) >= 0 ? 1 : -1;
+    if (!defined) above = num_sub(middle(g->z_min, g->z_max), eye[2]);
+    return num_sign(above) > 0 ? -1 : 1;
 }
 
 /* Is z, seen from beyond the range v, too steep for one scale of w? The scale is as fine as the greatest slope allows;

@@ -56,7 +56,7 @@ void chart_around_init(chart_t *c, grid_t *const grid[], int32_t n, const num_t 
     c->z_bits = plane_bits_below(far_z, 60);
     if (far_z.m == 0 || c->z_bits > most) c->z_bits = most;
     c->z_shift = (int16_t)(c->z_bits - slope);
-    for (int32_t k = 0; k < n; k++) c->tall |= grid_is_tall(grid[k]);
+    for (int32_t k = 0; k < n; k++) c->tall |= grid_is_tall(grid[k], e);
     for (int32_t i = 0; i < c->grid->nx; i++) {
         chart_column_t *k = &c->column[i];
         k->p = apart(c->grid->src->x_of(c->grid->src->ctx, i), e[0], c->side_x, c->x_bits);

@@ -163,7 +163,7 @@ static bool exact_at(void *ctx, uint8_t family, int32_t line, int64_t t, num_t h
 }
 
 int page_map_setup(page_map_t *m, grid_t *g, const camera_t *cam, void *memory) {
-    *m = (page_map_t){.grid = g, .cam = cam, .tall = cam->perspective && grid_is_tall(g)};
+    *m = (page_map_t){.grid = g, .cam = cam, .tall = cam->perspective && grid_is_tall(g, cam->eye)};
     m->lines = (line_space_t){.ctx = m, .at = lines_at};
     const surface_t *src = g->src;
     const num_t z_lo = g->to_limits && g->below ? g->z_lo : g->z_min,

@@ -254,10 +254,32 @@ static void test_zones(void **state) {
     }
 }
 
+/* An eye so little over or under a part of high cliffs that heights of 31 bits would put it on the other side; and the
+ * middle of a surface that is no higher than wide, seen from so close that they would turn lines of sight. */
+static void test_seen_from_close(void **state) {
+    (void)state;
+    field_t f = {2, 2, {-2, 2}, {-2, 2}, {{.5, .5}, {.5, .5}}};
+    charted_t c;
+    for (int side = -1; side <= 1; side += 2) {
+        f.ny = 3, f.y[2] = 6;
+        f.z[2][0] = f.z[2][1] = -1.6e6 + 1. / 3;
+        draw(&c, &f, true, .3, .2, .5 + side * 1e-5);
+        assert_true(c.chart.tall);
+        assert_int_equal(chart_seen(&c.chart, &c.grid), side);
+        f.z[2][0] = f.z[2][1] = 2;
+        draw(&c, &f, true, .3, .2, .5 + side * 1e-5);
+        assert_true(c.chart.tall);
+        assert_int_equal(chart_seen(&c.chart, &c.grid), side);
+        draw(&c, &f, true, .3, .2, 3);
+        assert_true(!c.chart.tall);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_zones),    cmocka_unit_test(test_rays),       cmocka_unit_test(test_single),
-        cmocka_unit_test(test_parallel), cmocka_unit_test(test_exact_ties), cmocka_unit_test(test_unproject),
+        cmocka_unit_test(test_seen_from_close), cmocka_unit_test(test_zones),    cmocka_unit_test(test_rays),
+        cmocka_unit_test(test_single),          cmocka_unit_test(test_parallel), cmocka_unit_test(test_exact_ties),
+        cmocka_unit_test(test_unproject),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
