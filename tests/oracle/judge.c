@@ -1,5 +1,5 @@
 /* The judge works line by line with sets of parameters (spans.h): visible, hidden, drawn. */
-#include "tests/oracle/judge.h"
+#include "tests/oracle/judge_page.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -13,6 +13,9 @@ typedef struct line {
     const judge_subject_t *r;
     const page_view_t *v;
     int family, index, edges;
+    judge_page_t *ink;          /* NULL: the page is not looked at */
+    const judge_piece_t *piece; /* the whole drawing */
+    size_t pieces;
     spans_t page;    /* exists and is on the page */
     spans_t hidden;  /* of it, hidden or not existing */
     spans_t visible; /* of it, visible without a tie */
@@ -140,7 +143,19 @@ static void robust(const line_t *l, int k, double steps, spans_t *visible, spans
     spans_free(&h);
 }
 
-/* Of the raw errors `bad`, what remains when each edge is asked again with a step's tolerance. */
+/* What of `bad` is alone on the page. The page is looked at only if there is more than a run of `most` mm. */
+static void keep_alone(const line_t *l, spans_t *bad, bool is_false, double most) {
+    double worst = most;
+    spans_t keep = {0};
+    longest(l, bad, &worst, NULL);
+    if (!l->ink || worst <= most) return;
+    judge_page_fill(l->ink, l->r, l->v, l->piece, l->pieces);
+    judge_page_alone(l->r, l->v, l->family, l->index, bad, is_false ? &l->ink->seen : &l->ink->drawn, &keep);
+    spans_copy(&keep, bad);
+    spans_free(&keep);
+}
+
+/* Of the raw errors `bad`, what remains when each edge is asked again with a step's tolerance, and then the page. */
 static void forgive(const line_t *l, const spans_t *bad, bool is_false, spans_t *out) {
     spans_t here = {0}, part = {0}, visible = {0}, hidden = {0}, keep = {0};
     spans_clear(out);
@@ -154,6 +169,7 @@ static void forgive(const line_t *l, const spans_t *bad, bool is_false, spans_t 
         add_shifted(out, &keep, 0);
     }
     spans_tidy(out);
+    keep_alone(l, out, is_false, STEP);
     spans_free(&here);
     spans_free(&part);
     spans_free(&visible);
@@ -219,12 +235,42 @@ static double along(const line_t *l, const spans_t *s, long double t) {
     return fmin(d, isfinite(after) ? length(l, t, after) : INFINITY) / STEP;
 }
 
+/* Between t and the next ends of what is seen, before and after: the longest run in which the drawing is wrong and the
+ * page shows it, in steps. */
+static double displaced(const line_t *l, const spans_t *seen, long double t) {
+    long double before = 0, after = l->edges;
+    spans_t around = {0}, bad = {0}, part = {0};
+    double worst = 0;
+    for (size_t i = 0; i < seen->n; i++)
+        for (int k = 0; k < 2; k++) {
+            const long double e = k ? seen->s[i].b : seen->s[i].a;
+            if (e <= t) before = fmaxl(before, e);
+            if (e > t) after = fminl(after, e);
+        }
+    spans_add(&around, before, after);
+    for (int is_false = 0; is_false < 2; is_false++) {
+        if (is_false) {
+            spans_intersect(&l->hidden, &l->drawn, &bad);
+        } else {
+            spans_subtract(&l->visible, &l->drawn, &bad);
+        }
+        spans_intersect(&bad, &around, &part);
+        keep_alone(l, &part, is_false, 0);
+        longest(l, &part, &worst, NULL);
+    }
+    spans_free(&around);
+    spans_free(&bad);
+    spans_free(&part);
+    return worst / STEP;
+}
+
 static double end_error(const line_t *l, const spans_t *seen, long double t) {
     for (size_t i = 0; i < l->tied.n; i++)
         if (t >= l->tied.s[i].a && t <= l->tied.s[i].b) return 0;
     double best = fmin(along(l, seen, t), along(l, &l->tied, t));
     for (double d = CLOSE_ENOUGH; d < 3 && best > d; d *= 2)
         if (explained(l, t, d)) best = d;
+    if (l->ink && best > CLOSE_ENOUGH) best = fmin(best, displaced(l, seen, t));
     return best;
 }
 
@@ -291,11 +337,13 @@ int judge_pieces(const judge_subject_t *r, const page_view_t *v, const judge_pie
     if (n) memcpy(sorted, piece, n * sizeof *sorted);
     qsort(sorted, n, sizeof *sorted, by_line);
     size_t at = 0;
+    judge_page_t ink = {0};
     for (int family = 0; family < 2; family++) {
         int lines = r->lines(r->ref, family);
         for (int index = 0; index < lines; index++) {
             int edges = r->edges(r->ref, family, index);
-            line_t l = {.r = r, .v = v, .family = family, .index = index, .edges = edges};
+            line_t l = {.r = r, .v = v, .family = family, .index = index, .edges = edges, .piece = sorted, .pieces = n};
+            if (r->every == 0) l.ink = &ink;
             size_t first = at;
             while (at < n && sorted[at].family == family && sorted[at].line == index && sorted[at].from >= 0 &&
                    sorted[at].to <= edges && sorted[at].from <= sorted[at].to)
@@ -310,6 +358,7 @@ int judge_pieces(const judge_subject_t *r, const page_view_t *v, const judge_pie
             spans_free(&l.drawn);
         }
     }
+    judge_page_free(&ink);
     free(sorted);
     return at == n ? 0 : -1;
 }

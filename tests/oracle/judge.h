@@ -3,7 +3,9 @@
  * Missing ink is visible and not drawn; false ink is drawn and hidden (or on an edge that does not exist). `raw`
  * figures compare with the reference point by point. The others forgive what one motor step could hide: ink is missing
  * only where the line is visible also when moved by a step (or 1/8, 1/64 ... 1/4096) to either side on the page, false
- * only where it is hidden also then. Each figure is the longest unbroken run along a grid line, in mm. */
+ * only where it is hidden also then. Runs that are left longer than a step, and ends more than a quarter of one off,
+ * are held against the page: where other ink runs along the line the page is right (judge_page.h). Each figure is the
+ * longest unbroken run along a grid line, in mm. */
 #ifndef JUDGE_H
 #define JUDGE_H
 

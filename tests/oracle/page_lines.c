@@ -5,8 +5,6 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-#include "tests/oracle/spans.h"
-
 void page_lines_add(page_lines_t *l, page_line_t line) {
     if (l->n == l->cap) {
         l->cap = l->cap ? 2 * l->cap : 64;
@@ -64,21 +62,26 @@ static bool narrow(seen_t *s, double near) {
     return true;
 }
 
+void page_lines_along(const page_line_t *a, const page_lines_t *by, double near, spans_t *out) {
+    const double all = length(a);
+    spans_clear(out);
+    for (size_t i = 0; i < by->n && all > 0; i++) {
+        seen_t s = look(a, &by->line[i]);
+        if (s.t[1] < -near || s.t[0] > all + near || !narrow(&s, near)) continue;
+        spans_add(out, fmax(0, s.t[0] - near) / all, fmin(all, s.t[1] + near) / all);
+    }
+    spans_tidy(out);
+}
+
 double page_lines_uncovered(const page_lines_t *what, const page_lines_t *by, double near) {
     spans_t covered = {0}, bare = {0};
     double worst = 0;
     for (size_t k = 0; k < what->n; k++) {
         const double all = length(&what->line[k]);
         if (all == 0) continue;
-        spans_clear(&covered);
-        for (size_t i = 0; i < by->n; i++) {
-            seen_t s = look(&what->line[k], &by->line[i]);
-            if (s.t[1] < -near || s.t[0] > all + near || !narrow(&s, near)) continue;
-            spans_add(&covered, s.t[0] - near, s.t[1] + near);
-        }
-        spans_tidy(&covered);
-        spans_complement(&covered, 0, all, &bare);
-        for (size_t i = 0; i < bare.n; i++) worst = fmax(worst, (double)(bare.s[i].b - bare.s[i].a));
+        page_lines_along(&what->line[k], by, near, &covered);
+        spans_complement(&covered, 0, 1, &bare);
+        for (size_t i = 0; i < bare.n; i++) worst = fmax(worst, all * (double)(bare.s[i].b - bare.s[i].a));
     }
     spans_free(&covered);
     spans_free(&bare);

@@ -27,6 +27,8 @@ void solid_scene_flush(solid_scene_t *s, uint64_t seed, int objects);
  * stacks, bodies on both sides of a mirror, pyramids tip to tip; mostly turned, so that contacts are rounded. Seen from
  * anywhere, from planes of faces, from lines of edges, from close to a vertex. */
 void solid_scene_touching(solid_scene_t *s, uint64_t seed, int objects);
+/* The same, from a hundredth to a tenth of a unit cube from a vertex. */
+void solid_scene_close(solid_scene_t *s, uint64_t seed, int objects);
 /* k x k unit cubes, pitch 1.5, 25 degrees above the ground: Franklin & Akman's figure 4. */
 void solid_scene_cubes(solid_scene_t *s, int k);
 /* n x n quadrilaterals of two triangles round a torus; hole 0: a ball. Seen as the cubes. */

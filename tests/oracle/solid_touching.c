@@ -186,35 +186,36 @@ static double clearance(const solid_ref_t *r, const exact_point_t *p) {
     return least;
 }
 
-/* An eye that is `kind`: in the plane of a face, on the line of an edge, anywhere, close to a vertex. */
+enum { FROM_PLANE, FROM_LINE, FROM_ANYWHERE, FROM_NEAR, ALONG_AXES, ALONG_ANY, PLACES, FROM_CLOSE };
+
 static exact_point_t eye_of(const solid_ref_t *r, int kind) {
-    if (kind < 2) return among_corners(r, kind == 1);
-    if (kind == 2) return (exact_point_t){uniform(-6, 6), uniform(-6, 6), uniform(-6, 6)};
-    const double near = pow(10, uniform(-1.3, -.3));
+    if (kind <= FROM_LINE) return among_corners(r, kind == FROM_LINE);
+    if (kind == FROM_ANYWHERE) return (exact_point_t){uniform(-6, 6), uniform(-6, 6), uniform(-6, 6)};
+    const double near = kind == FROM_CLOSE ? pow(10, uniform(-2, -1)) : pow(10, uniform(-1.3, -.3));
     exact_point_t e = r->vertex[r->corner[pick(r->nc)]];
     e.x += near * uniform(-1, 1), e.y += near * uniform(-1, 1), e.z += near * uniform(-1, 1);
     return e;
 }
 
-static void look(solid_scene_t *s) {
+static void look(solid_scene_t *s, int kind) {
     const solid_ref_t *r = &s->ref;
-    const int kind = r->nf ? pick(6) : 5;
-    s->set.view.from = kind < 4;
-    if (kind < 4) {
+    s->set.view.from = kind < ALONG_AXES || kind == FROM_CLOSE;
+    if (s->set.view.from) {
         exact_point_t e = eye_of(r, kind);
         for (int k = 0; k < 20 && clearance(r, &e) < 2e-4; k++) e = eye_of(r, kind);
         const double at[3] = {e.x, e.y, e.z};
         for (int k = 0; k < 3; k++) s->set.view.eye[k] = num_of(at[k]);
         snprintf(s->what, sizeof s->what, "touching, set view from %.17g,%.17g,%.17g", at[0], at[1], at[2]);
     } else {
-        const double rx = kind == 4 ? 90 * pick(3) : uniform(0, 180), rz = kind == 4 ? 45 * pick(8) : uniform(0, 360);
+        const bool axes = kind == ALONG_AXES;
+        const double rx = axes ? 90 * pick(3) : uniform(0, 180), rz = axes ? 45 * pick(8) : uniform(0, 360);
         s->set.view.rot_x = num_of(rx);
         s->set.view.rot_z = num_of(rz);
         snprintf(s->what, sizeof s->what, "touching, set view %.17g,%.17g", rx, rz);
     }
 }
 
-void solid_scene_touching(solid_scene_t *s, uint64_t seed, int objects) {
+static void make(solid_scene_t *s, uint64_t seed, int objects, bool close) {
     static void (*const kind[])(solid_ref_t * r, int n) = {wedges, tetrahedra, nested, stack, mirrored, tips};
     rng = seed ^ 0x70c4;
     for (int k = 0; k < 4; k++) scene_uniform(&rng);
@@ -223,6 +224,14 @@ void solid_scene_touching(solid_scene_t *s, uint64_t seed, int objects) {
     choose_turn();
     kind[pick(sizeof kind / sizeof *kind)](&s->ref, 2 + pick(objects));
     if (s->ref.nf == 0) box(&s->ref, 0, 0, 0, 1, 1, 1);
-    look(s);
+    look(s, close ? FROM_CLOSE : pick(PLACES));
     solid_ref_finish(&s->ref);
+}
+
+void solid_scene_touching(solid_scene_t *s, uint64_t seed, int objects) {
+    make(s, seed, objects, false);
+}
+
+void solid_scene_close(solid_scene_t *s, uint64_t seed, int objects) {
+    make(s, seed, objects, true);
 }

@@ -73,7 +73,7 @@ static void among_cliffs(scene_t *s, uint64_t *rng, double highest, double neare
 }
 
 static void pinhole(scene_t *s, uint64_t *rng) {
-    among_cliffs(s, rng, 1e3, 1e-4);
+    among_cliffs(s, rng, 1e4, 1e-5);
 }
 
 /* As `set zrange` of a millionth does it: surface and eye, a thousand to a million times as high. */
@@ -92,14 +92,14 @@ static void pressed_flat(scene_t *s, uint64_t *rng) {
     r->eye.z *= k;
 }
 
-/* Lines in clusters, down to a thousandth of the rest, both ways; at a ten-thousandth an end is off by up to a step
- * once in 10,000 scenes. */
+/* Lines in clusters, down to a millionth of the rest, both ways: there facets are thinner than the lattice tells apart,
+ * and what one line lacks its neighbour has. */
 static void clusters(scene_t *s, uint64_t *rng) {
     surface_ref_t *r = &s->ref;
     for (int both = 0; both < 2; both++) {
         double *c = both ? r->y : r->x, at = 0;
         const int n = both ? r->ny : r->nx;
-        const double least = family_log_uniform(rng, 1e-3, .1);
+        const double least = family_log_uniform(rng, 1e-6, .1);
         for (int i = 0; i < n; i++) {
             c[i] = at;
             at += scene_below(rng, 3) ? least : 1;
@@ -147,8 +147,7 @@ static void labyrinth_of_copies(scene_t *s, uint64_t *rng) {
     labyrinth(s, rng);
 }
 static void labyrinth_inside(scene_t *s, uint64_t *rng) {
-    /* closer, or higher, windows move ends by up to a step, once in 3,000 scenes */
-    among_cliffs(s, rng, 100, 1e-3);
+    among_cliffs(s, rng, 1e4, 1e-5);
     labyrinth(s, rng);
 }
 static void labyrinth_stretched(scene_t *s, uint64_t *rng) {

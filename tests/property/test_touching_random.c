@@ -1,6 +1,7 @@
 /* Bodies that touch in faces, edges and corners, seen along these (solid_scene_touching, and boxes flush on a lattice,
- * solid_scene_flush), by the convex kernel and by the area sort, judged against rays. RIDGELINE_CASES multiplies the
- * count, RIDGELINE_SEED tries one. */
+ * solid_scene_flush), by the convex kernel and by the area sort, judged against rays; by the convex kernel also from
+ * close to a vertex (solid_scene_close), where the area sort's ends are off by half a step. RIDGELINE_CASES multiplies
+ * the count, RIDGELINE_SEED tries one. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -47,9 +48,14 @@ static void flush_area(void **state) {
     (void)state;
     assert_int_equal(run("flush, area sort", 3000000000, solid_scene_flush, by_area_sort), 0);
 }
+static void close_convex(void **state) {
+    (void)state;
+    assert_int_equal(run("close, convex", 4000000000, solid_scene_close, by_convex), 0);
+}
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(touching_convex), cmocka_unit_test(touching_area),
-                                       cmocka_unit_test(flush_convex), cmocka_unit_test(flush_area)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(touching_convex), cmocka_unit_test(close_convex),
+                                       cmocka_unit_test(touching_area), cmocka_unit_test(flush_convex),
+                                       cmocka_unit_test(flush_area)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

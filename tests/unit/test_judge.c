@@ -96,6 +96,37 @@ static void test_planted(void **state) {
     scene_free(&s);
 }
 
+/* Two crests in one place on the page: ink of either will do. A step apart on the page it will not. */
+static void test_one_line(void **state) {
+    (void)state;
+    for (int apart = 0; apart < 2; apart++) {
+        scene_t s;
+        scene_init(&s, 5, 6);
+        for (int i = 0; i < 5; i++) s.ref.z[3 * 5 + i] = s.ref.z[4 * 5 + i] = 1;
+        for (int j = 4; j < 6; j++) s.ref.y[j] = s.ref.y[3] + (apart ? 2e-3 : 1e-6) * (j == 4) + (j == 5);
+        s.ref.eye = (exact_eye_t){0.125, 1, -.25, 0};
+        scene_aim(&s);
+        run_drawing_t d = perfect(&s.ref);
+        judge_report_t rep;
+        judge(&s, d.p, d.n, &rep);
+        assert_true(rep.missing_mm == 0 && rep.false_mm == 0);
+        int moved = 0;
+        for (size_t i = 0; i < d.n; i++) { /* the one crest's ink is given to the other */
+            if (d.p[i].family != REF_ROW || (d.p[i].line != 3 && d.p[i].line != 4) || d.p[i].from != 1) continue;
+            d.p[i].line = 7 - d.p[i].line;
+            moved++;
+        }
+        assert_int_equal(moved, 1);
+        judge(&s, d.p, d.n, &rep);
+        if (apart ? rep.missing_mm < 20 || rep.false_mm < 20 : rep.missing_mm > 0 || rep.false_mm > 0)
+            fail_msg("%d: missing %g, false %g", apart, rep.missing_mm, rep.false_mm);
+        assert_true(rep.raw_missing_mm > 20 && rep.raw_false_mm > 20);
+        assert_true(apart || rep.end_steps <= .25);
+        free(d.p);
+        scene_free(&s);
+    }
+}
+
 /* Ends moved by a fraction of a step and by several steps are reported as such. */
 static void test_moved_ends(void **state) {
     (void)state;
@@ -172,10 +203,8 @@ static void test_segments(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_perfect),
-        cmocka_unit_test(test_planted),
-        cmocka_unit_test(test_moved_ends),
-        cmocka_unit_test(test_segments),
+        cmocka_unit_test(test_perfect),    cmocka_unit_test(test_planted),  cmocka_unit_test(test_one_line),
+        cmocka_unit_test(test_moved_ends), cmocka_unit_test(test_segments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
