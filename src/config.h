@@ -118,6 +118,11 @@
 #define CONFIG_TELL_ORDER CONFIG_AREA
 #endif
 
+/* 1: there may be memory for 65,536 strokes, which are put in order otherwise (path/match.h); 1.5 KB of code. */
+#ifndef CONFIG_MANY_STROKES
+#define CONFIG_MANY_STROKES 1
+#endif
+
 /* 1: memory has caches that are asked for what is needed soon (path_config_t.fetch). Nothing depends on it but speed.
  */
 #ifndef CONFIG_FETCH

@@ -5,6 +5,7 @@
 #include "path/dist.h"
 #include "path/emit.h"
 #include "path/loop.h"
+#include "path/match.h"
 #include "path/tour.h"
 
 /* A full pool draws a half of its strokes; the rest stays to be continued. Smaller parts make 3 % fewer strokes, but
@@ -63,7 +64,9 @@ static void drop_dots(path_t *p, const chain_t *c) {
     for (int32_t e = 0; e < 2 * p->pool.n; e++) {
         int32_t far = ~p->pool.mate[e];
         if (far < e || is_apart(c->point[e], c->point[far], p->config.step_lat)) continue;
-        drop_if_dot(p, c->point, e);
+        if (!drop_if_dot(p, c->point, e)) continue;
+        p->pool.mate[e] = far; /* free no more */
+        p->pool.mate[far] = e;
     }
 }
 
@@ -137,6 +140,19 @@ static void tell(const path_t *p, bool all, int32_t done) {
 #endif
 }
 
+/* Very many strokes. */
+static bool order_many(const path_t *p, tour_t *tour, const chain_t *chain) {
+#if CONFIG_MANY_STROKES
+    tour->order = match_order(chain, p->leaves, p->config.home, &tour->n);
+    tour->end = NULL;
+    tour->point = chain->point;
+    return tour->order != NULL;
+#else
+    (void)p, (void)tour, (void)chain;
+    return false;
+#endif
+}
+
 /* all: nothing can come that continues a stroke. improve: there is time for it. */
 static void order(path_t *p, tour_t *tour, bool all, bool improve) {
     chain_t chain;
@@ -148,6 +164,10 @@ static void order(path_t *p, tour_t *tour, bool all, bool improve) {
     chain_close(&chain);
     if (loop_find(&chain)) loop_open(&chain);
     if (all) drop_dots(p, &chain);
+    if (order_many(p, tour, &chain)) {
+        tell(p, all, TOLD_ORDERED);
+        return;
+    }
     tour_collect(tour, &chain, p->leaves, p->config.home);
     pump(p);
     tell(p, all, TOLD_CLOSED);

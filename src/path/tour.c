@@ -56,7 +56,7 @@ void tour_collect(tour_t *t, const chain_t *c, page_point_t at, page_point_t hom
     while ((box.x1 - box.x0) >> box.shift > INT16_MAX || (box.y1 - box.y0) >> box.shift > INT16_MAX) box.shift++;
     t->n = 0;
     for (int32_t e = 0; e < ends; e++) {
-        if (mate[e] >= 0 || ~mate[e] < e || c->pool->run[e >> 1].to_hi & RUN_DRAWN) continue;
+        if (mate[e] >= 0 || ~mate[e] < e) continue;
         t->end[t->n] = e;
         t->spot[2 * t->n] = spot_of(&box, c->point[e]);
         t->spot[2 * t->n + 1] = spot_of(&box, c->point[~mate[e]]);
@@ -86,6 +86,10 @@ void tour_greedy(tour_t *t) {
     t->order[t->n] = 2 * t->n;
 }
 
+static inline bool is_of_ends(const tour_t *t) {
+    return CONFIG_MANY_STROKES && !t->end;
+}
+
 static void turn_back(int32_t *item, int32_t from, int32_t to) {
     for (; from < to; from++, to--) {
         int32_t keep = item[from];
@@ -109,12 +113,14 @@ void tour_settle(tour_t *t) {
 }
 
 int32_t tour_stroke(const tour_t *t, const pool_t *pool, int32_t k) {
+    if (is_of_ends(t)) return t->order[k];
     int32_t item = t->order[k], e = t->end[item >> 1] & ~TOUR_QUIET;
     return item & 1 ? ~pool->mate[e] : e;
 }
 
 #if CONFIG_FETCH
 static int32_t end_at(const tour_t *t, int32_t k) {
+    if (is_of_ends(t)) return t->order[k];
     return t->end[t->order[k] >> 1] & ~TOUR_QUIET;
 }
 
@@ -131,7 +137,7 @@ void tour_fetch(const tour_t *t, const pool_t *pool, int32_t k, ink_fetch_t fetc
     if (k + 3 * TOUR_FETCH >= t->n) return;
     if (fetch) fetch_between(&pool->run[end_at(t, k + TOUR_FETCH) >> 1], fetch, ctx);
     const int32_t e = end_at(t, k + 2 * TOUR_FETCH);
-    __builtin_prefetch(&t->end[t->order[k + 3 * TOUR_FETCH] >> 1]);
+    if (!is_of_ends(t)) __builtin_prefetch(&t->end[t->order[k + 3 * TOUR_FETCH] >> 1]);
     __builtin_prefetch(&pool->run[e >> 1]);
     __builtin_prefetch(&pool->run[e >> 1].what); /* a run may lie across two lines of the cache */
     __builtin_prefetch(&pool->mate[e]);

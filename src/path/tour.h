@@ -19,7 +19,8 @@
 
 typedef struct tour {
     int32_t n;      /* strokes, without the pen's */
-    int32_t *order; /* n + 1 items: the end at which the stroke at this place is entered */
+    int32_t *order; /* n + 1 items: the end at which the stroke at this place is entered. Or, if `end` is NULL, n ends
+                       of runs (match.h) */
     int32_t *place; /* n + 1: the stroke's place in order, for tour_improve */
     int32_t *end;   /* n: n + 1: a free end of the stroke (pool.h), that item 2k stands for; and TOUR_QUIET */
     spot_t *spot;   /* 2 (n + 1) items */

@@ -1,0 +1,285 @@
+/* match.c - see match.h.
+ *
+ * Ends lie in memory as they do on the page ("places": row of cells by row, an end after the other), so that what is
+ * near is looked at without going anywhere else. */
+#include "path/match.h"
+#include "path/near.h"
+#include <stddef.h>
+
+#define CROWD 1       /* ends to a cell: the search looks at the fewest */
+#define CROWDED 16    /* times as many, where a grid has brought little together */
+#define SCAN_MAX 128  /* ends looked at in one cell: whatever is in the same cell is near */
+#define FAR INT32_MAX /* beyond every square of a distance; twice that fits 32 bits */
+
+/* In a place: where the end is, marked when it has a link; which it is; and the place of the other end of its stroke,
+ * or chain of strokes. */
+typedef struct places {
+    int32_t n;
+    spot_t *spot;
+    int32_t *end;
+    int32_t *tip;
+} places_t;
+
+typedef struct match {
+    const chain_t *chain;
+    int32_t x0, y0;       /* of the drawing's extent, lat */
+    int32_t x_max, y_max; /* in spots */
+    int shift;            /* from lat to spots */
+    page_point_t at, home;
+    places_t now, next; /* a round's, and where the next round's will be */
+    uint32_t *start;    /* of every cell, in now; and two more */
+    int32_t nx, ny;
+    int shift_x, shift_y; /* a cell is 2^shift_x spots wide, and as high or twice as high */
+} match_t;
+
+static inline bool is_marked(spot_t s) {
+    return s.x < 0;
+}
+static inline void mark(spot_t *s) {
+    s->x = (int16_t)(s->x | INT16_MIN);
+}
+
+/* Is the end e free, and the first of its stroke's? */
+static inline bool is_first(const int32_t *mate, int32_t e) {
+    return mate[e] < 0 && ~mate[e] > e;
+}
+
+/* How many strokes there are, and what they extend over. */
+static int32_t measure(match_t *m) {
+    const chain_t *c = m->chain;
+    const int32_t *mate = c->pool->mate;
+    int32_t strokes = 0, x0 = INT32_MAX, y0 = INT32_MAX, x1 = INT32_MIN, y1 = INT32_MIN;
+    for (int32_t e = 0; e < 2 * c->pool->n; e++) {
+        const page_point_t p = c->point[e];
+        if (mate[e] >= 0) continue;
+        x0 = p.x_lat < x0 ? p.x_lat : x0;
+        y0 = p.y_lat < y0 ? p.y_lat : y0;
+        x1 = p.x_lat > x1 ? p.x_lat : x1;
+        y1 = p.y_lat > y1 ? p.y_lat : y1;
+        strokes++;
+    }
+    strokes /= 2;
+    m->x0 = x0;
+    m->y0 = y0;
+    if (strokes == 0) return 0;
+    while ((x1 - x0) >> m->shift > INT16_MAX || (y1 - y0) >> m->shift > INT16_MAX) m->shift++;
+    m->x_max = (x1 - x0) >> m->shift;
+    m->y_max = (y1 - y0) >> m->shift;
+    return strokes;
+}
+
+static void take_places(places_t *p, int32_t **mem, int32_t n) {
+    p->spot = (spot_t *)(void *)*mem;
+    p->end = *mem + n;
+    p->tip = *mem + 2 * (ptrdiff_t)n;
+    *mem += 3 * (ptrdiff_t)n;
+}
+
+static bool lay_out(match_t *m, int32_t strokes) {
+    const pool_t *pool = m->chain->pool;
+    const int32_t ends = 2 * strokes + 2; /* the pen's is a stroke, too */
+    const int64_t points = 4 * (int64_t)pool->n, words = points + 7 * (int64_t)ends + 3;
+    if (words > ((int64_t)pool->cap + 1) * (POOL_WORK_PER_RUN / 4)) return false;
+    int32_t *mem = (int32_t *)(void *)pool->work + points;
+    take_places(&m->now, &mem, ends);
+    m->start = (uint32_t *)(void *)mem;
+    mem += ends + 3;
+    take_places(&m->next, &mem, ends);
+    return true;
+}
+
+static inline int32_t clamp(int32_t v, int32_t max) {
+    return v < 0 ? 0 : v > max ? max : v;
+}
+static inline spot_t spot_of(const match_t *m, page_point_t p) {
+    return (spot_t){(int16_t)((p.x_lat - m->x0) >> m->shift), (int16_t)((p.y_lat - m->y0) >> m->shift)};
+}
+/* The pen may be elsewhere. */
+static spot_t spot_nearest(const match_t *m, page_point_t p) {
+    return (spot_t){(int16_t)clamp((p.x_lat - m->x0) >> m->shift, m->x_max),
+                    (int16_t)clamp((p.y_lat - m->y0) >> m->shift, m->y_max)};
+}
+
+static inline uint32_t *start_of(const match_t *m, spot_t s) {
+    return &m->start[(s.y >> m->shift_y) * m->nx + (s.x >> m->shift_x)];
+}
+
+/* Cells for so many ends, nothing in them. */
+static void make_cells(match_t *m, int32_t ends, int32_t crowd) {
+    const int32_t wanted = ends / crowd;
+    for (m->shift_x = m->shift_y = 0; m->shift_x < 15;) {
+        if (((m->x_max >> m->shift_x) + 1) * ((m->y_max >> m->shift_y) + 1) <= wanted) break;
+        if (m->shift_y > m->shift_x)
+            m->shift_x++;
+        else
+            m->shift_y++;
+    }
+    m->nx = (m->x_max >> m->shift_x) + 1;
+    m->ny = (m->y_max >> m->shift_y) + 1;
+    for (int32_t k = 0; k < m->nx * m->ny + 2; k++) m->start[k] = 0;
+}
+
+/* Where a cell's ends go is counted up in the start of the next; the counts that make it are one further yet. So when
+ * all are sorted, every start is where it should be. */
+static inline void count(match_t *m, spot_t a, spot_t b) {
+    start_of(m, a)[2]++;
+    start_of(m, b)[2]++;
+}
+static void add_up(match_t *m) {
+    for (int32_t k = 2; k < m->nx * m->ny + 2; k++) m->start[k] += m->start[k - 1];
+}
+static inline void put(match_t *m, places_t *to, spot_t a, int32_t end_a, spot_t b, int32_t end_b) {
+    const uint32_t i = start_of(m, a)[1]++, j = start_of(m, b)[1]++;
+    to->spot[i] = a;
+    to->spot[j] = b;
+    to->end[i] = end_a;
+    to->end[j] = end_b;
+    to->tip[i] = (int32_t)j;
+    to->tip[j] = (int32_t)i;
+}
+
+/* The pen's stroke has the ends that one more run would have: home, where it is entered, and where the pen is. */
+static void enter_strokes(match_t *m, int32_t strokes) {
+    const page_point_t *point = m->chain->point;
+    const int32_t *mate = m->chain->pool->mate, ends = 2 * m->chain->pool->n;
+    const spot_t home = spot_nearest(m, m->home), at = spot_nearest(m, m->at);
+    make_cells(m, 2 * strokes + 2, CROWD);
+    count(m, home, at);
+    for (int32_t e = 0; e < ends; e++) {
+        if (is_first(mate, e)) count(m, spot_of(m, point[e]), spot_of(m, point[~mate[e]]));
+    }
+    add_up(m);
+    put(m, &m->now, home, ends, at, ends + 1);
+    for (int32_t e = 0; e < ends; e++) {
+        if (is_first(mate, e)) put(m, &m->now, spot_of(m, point[e]), e, spot_of(m, point[~mate[e]]), ~mate[e]);
+    }
+    m->now.n = 2 * strokes + 2;
+}
+
+/* Is there the first end of a chain of strokes in place k? */
+static inline bool is_left(const places_t *p, int32_t k) {
+    return !is_marked(p->spot[k]) && k < p->tip[k];
+}
+
+static void enter_left(match_t *m, int32_t chains, int32_t crowd) {
+    const places_t from = m->now;
+    places_t *to = &m->next;
+    make_cells(m, 2 * chains, crowd);
+    for (int32_t k = 0; k < from.n; k++) {
+        if (is_left(&from, k)) count(m, from.spot[k], from.spot[from.tip[k]]);
+    }
+    add_up(m);
+    for (int32_t k = 0; k < from.n; k++) {
+        const int32_t tip = from.tip[k];
+        if (is_left(&from, k)) put(m, to, from.spot[k], from.end[k], from.spot[tip], from.end[tip]);
+    }
+    to->n = 2 * chains;
+    m->now = *to;
+    m->next = from;
+}
+
+/* The nearest end so far, by its place, and the square of its distance. */
+typedef struct best {
+    uint32_t square;
+    uint32_t place;
+} best_t;
+#define NOWHERE UINT32_MAX
+
+/* Looks at the places from..to. What is nearest so far is kept without a branch, which would be guessed wrong as often
+ * as not. */
+static inline __attribute__((always_inline)) void look(const spot_t *spot, spot_t at, uint32_t not, uint32_t from,
+                                                       uint32_t to, best_t *best) {
+    uint32_t square = best->square, place = best->place;
+    if (to - from > SCAN_MAX) to = from + SCAN_MAX;
+    for (uint32_t k = from; k < to; k++) {
+        uint32_t d = near_square(spot[k], at) | (0u - (uint32_t)(spot[k].x < 0)); /* marked: as far as can be */
+        d = k == not ? FAR : d;
+        place = d < square ? k : place;
+        square = d < square ? d : square;
+    }
+    best->square = square;
+    best->place = place;
+}
+
+static inline uint32_t square_of(int32_t v) {
+    return (uint32_t)(v * v);
+}
+
+/* Looks for a partner of the end in place k of the cell (x, y) in what comes after it: in its own cell, in the next,
+ * and in three of the next row; each only if it is nearer than what has been found. */
+static inline uint32_t partner(const match_t *m, int32_t x, int32_t y, uint32_t k) {
+    const uint32_t *own = &m->start[y * m->nx + x], *up = own + m->nx;
+    const spot_t *spot = m->now.spot, at = spot[k];
+    const uint32_t not = (uint32_t)m->now.tip[k];
+    best_t best = {FAR, NOWHERE};
+    look(spot, at, not, k + 1, own[1], &best);
+    const int32_t in_x = at.x - (x << m->shift_x), in_y = at.y - (y << m->shift_y);
+    const uint32_t left = x > 0 ? square_of(in_x + 1) : FAR;
+    const uint32_t right = x + 1 < m->nx ? square_of((1 << m->shift_x) - in_x) : FAR;
+    const uint32_t above = y + 1 < m->ny ? square_of((1 << m->shift_y) - in_y) : FAR;
+    if (right < best.square) look(spot, at, not, own[1], own[2], &best);
+    if (above < best.square) look(spot, at, not, up[0], up[1], &best);
+    if (left + above < best.square) look(spot, at, not, up[-1], up[0], &best);
+    if (right + above < best.square) look(spot, at, not, up[1], up[2], &best);
+    return best.place;
+}
+
+static inline void link_places(const match_t *m, uint32_t a, uint32_t b) {
+    const places_t *p = &m->now;
+    const int32_t tip_a = p->tip[a], tip_b = p->tip[b];
+    p->tip[tip_a] = tip_b;
+    p->tip[tip_b] = tip_a;
+    m->chain->pool->mate[p->end[a]] = ~p->end[b];
+    m->chain->pool->mate[p->end[b]] = ~p->end[a];
+    mark(&p->spot[a]);
+    mark(&p->spot[b]);
+}
+
+/* Goes through all cells once. Returns how many links it has made. */
+static int32_t go_through(const match_t *m) {
+    int32_t made = 0;
+    for (int32_t y = 0; y < m->ny; y++) {
+        for (int32_t x = 0; x < m->nx; x++) {
+            const uint32_t *own = &m->start[y * m->nx + x];
+            for (uint32_t k = own[0]; k < own[1]; k++) {
+                if (is_marked(m->now.spot[k])) continue;
+                const uint32_t with = partner(m, x, y, k);
+                if (with == NOWHERE) continue;
+                link_places(m, k, with);
+                made++;
+            }
+        }
+    }
+    return made;
+}
+
+static void link_all(match_t *m, int32_t strokes) {
+    int32_t chains = strokes + 1, crowd = CROWD;
+    enter_strokes(m, strokes);
+    for (;;) {
+        const int32_t made = go_through(m);
+        chains -= made;
+        if (chains == 1) break;
+        crowd = made > chains ? CROWD : crowd < 2 * chains / CROWDED ? crowd * CROWDED : 2 * chains;
+        enter_left(m, chains, crowd);
+    }
+    int32_t last = 0;
+    while (is_marked(m->now.spot[last])) last++;
+    link_places(m, (uint32_t)last, (uint32_t)m->now.tip[last]);
+}
+
+int32_t *match_order(const chain_t *c, page_point_t at, page_point_t home, int32_t *strokes) {
+    match_t m = {.chain = c, .at = at, .home = home};
+    const int32_t n = measure(&m), pen = 2 * c->pool->n;
+    if (n < MATCH_STROKES_MIN || !lay_out(&m, n)) return NULL;
+    int32_t *mate = c->pool->mate, *order = (int32_t *)(void *)m.now.spot;
+    link_all(&m, n);
+    int32_t from = pen + 1;
+    for (int32_t k = 0; k < n; k++) {
+        int32_t e = ~mate[from];
+        order[k] = e;
+        for (from = pool_other_end(e); mate[from] >= 0;) from = pool_other_end(mate[from]);
+    }
+    *strokes = n;
+    return order;
+}
