@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "error.h"
@@ -34,33 +35,45 @@ int out_open(out_t *o, const char *path) {
     if (!digits_ready) make_digits();
     o->failed = false;
     o->used = 0;
-    o->fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    o->written = 0;
+    o->fd = open(path, O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
     return o->fd < 0 ? ERR_FILE : 0;
 }
 
-static void flush(out_t *o) {
+static void put(out_t *o, size_t size) {
     const char *p = o->buffer;
-    size_t left = o->used;
-    o->used = 0;
+    size_t left = size;
     while (left && !o->failed) {
         ssize_t n = write(o->fd, p, left);
         if (n > 0) {
             p += n;
             left -= (size_t)n;
+            o->written += n;
         } else if (errno != EINTR) {
             o->failed = true;
         }
     }
+    o->used -= size;
 }
 
+/* A file that was there is written over, and cut off here. To give back all its pages first and to ask for others takes
+ * the system longer than writing them. A terminal or a pipe has no length. */
 int out_close(out_t *o) {
-    flush(o);
+    struct stat s;
+    put(o, o->used);
+    if (fstat(o->fd, &s) == 0 && S_ISREG(s.st_mode) && s.st_size > o->written && ftruncate(o->fd, o->written) != 0)
+        o->failed = true;
     if (close(o->fd) != 0) o->failed = true;
     return o->failed ? ERR_FILE : 0;
 }
 
+/* Whole pages go: of a page that is written in part the system might have to read the rest. */
 char *out_reserve(out_t *o, size_t n) {
-    if (OUT_BUFFER - o->used < n) flush(o);
+    if (OUT_BUFFER - o->used < n) {
+        const size_t whole = o->used / OUT_PAGE * OUT_PAGE;
+        put(o, whole);
+        memmove(o->buffer, o->buffer + whole, o->used);
+    }
     return o->buffer + o->used;
 }
 

@@ -8,18 +8,21 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <sys/types.h>
 
 #define OUT_BUFFER 65536
+#define OUT_PAGE 4096     /* room for more than a buffer less a page is not reserved */
 #define OUT_NUMBER_MAX 16 /* most bytes one number takes */
 
 typedef struct out {
     int fd;
     bool failed;
     size_t used;
+    off_t written;
     char buffer[OUT_BUFFER];
 } out_t;
 
-/* Creates or truncates the file. 0, or ERR_FILE with errno set. */
+/* Creates the file, or writes over it. 0, or ERR_FILE with errno set. */
 int out_open(out_t *o, const char *path);
 /* Flushes and closes. 0, or ERR_FILE when anything failed since out_open. */
 int out_close(out_t *o);
@@ -27,7 +30,7 @@ int out_close(out_t *o);
 void out_text(out_t *o, const char *s);
 void out_format(out_t *o, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Room for n <= OUT_BUFFER bytes at the end; say afterwards where they end. */
+/* Room for n <= OUT_BUFFER - OUT_PAGE bytes at the end; say afterwards where they end. */
 char *out_reserve(out_t *o, size_t n);
 void out_commit(out_t *o, const char *end);
 

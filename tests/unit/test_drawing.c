@@ -285,6 +285,28 @@ static void names_and_failures(void **state) {
     drawing_free(&d);
 }
 
+/* The file of a large drawing becomes that of a small one, and the other way round. */
+static void a_file_is_written_over(void **state) {
+    drawing_t small, large;
+    (void)state;
+    drawing_init(&small);
+    drawing_init(&large);
+    fill(&small, 3, 4);
+    fill(&large, 4000, 20);
+    const drawing_t *const in_turn[] = {&small, &large, &small};
+    for (int k = 0; k < 3; k++) {
+        assert_int_equal(writer_write(in_turn[k], NULL, temporary(".once.seg")), 0);
+        char *fresh = slurp(name);
+        for (int j = 0; j <= k; j++) assert_int_equal(writer_write(in_turn[j], NULL, temporary(".seg")), 0);
+        char *again = slurp(name);
+        assert_string_equal(again, fresh);
+        free(fresh);
+        free(again);
+    }
+    drawing_free(&small);
+    drawing_free(&large);
+}
+
 static void large_drawings_are_written_fast(void **state) {
     (void)state;
     drawing_t d;
@@ -349,12 +371,19 @@ static void pens_are_told_apart(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(strokes_are_kept),     cmocka_unit_test(length_counts_travel_from_and_to_the_origin),
-        cmocka_unit_test(camera_is_kept_in_mm), cmocka_unit_test(seg_reads_back_to_the_lat),
-        cmocka_unit_test(svg_reads_back),       cmocka_unit_test(titles_are_utf8),
-        cmocka_unit_test(hpgl_reads_back),      cmocka_unit_test(gcode_says_what_a_plotter_does),
-        cmocka_unit_test(pens_are_told_apart),  cmocka_unit_test(pictures_are_what_they_say),
-        cmocka_unit_test(names_and_failures),   cmocka_unit_test(large_drawings_are_written_fast),
+        cmocka_unit_test(strokes_are_kept),
+        cmocka_unit_test(length_counts_travel_from_and_to_the_origin),
+        cmocka_unit_test(camera_is_kept_in_mm),
+        cmocka_unit_test(seg_reads_back_to_the_lat),
+        cmocka_unit_test(svg_reads_back),
+        cmocka_unit_test(titles_are_utf8),
+        cmocka_unit_test(hpgl_reads_back),
+        cmocka_unit_test(gcode_says_what_a_plotter_does),
+        cmocka_unit_test(pens_are_told_apart),
+        cmocka_unit_test(pictures_are_what_they_say),
+        cmocka_unit_test(names_and_failures),
+        cmocka_unit_test(a_file_is_written_over),
+        cmocka_unit_test(large_drawings_are_written_fast),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
