@@ -137,7 +137,6 @@ static int32_t mark_alone(chain_t *c) {
         fetch_census(c, &census, e);
         const bool alone = census_is_alone(&census, c->point[e], c->near_lat);
         pool->mate[e] = alone ? ALONE : FREE;
-        pool->run[e >> 1].to_hi &= ~RUN_SEEN;
         if (few_of(c)) few_of(c)[left] = e;
         left += !alone;
     }
@@ -320,22 +319,36 @@ void chain_pair(chain_t *c) {
     }
 }
 
+/* Goes from the free end e to the other of its stroke; sees every run on the way. */
+static int32_t close_stroke(const pool_t *p, int32_t e) {
+    for (;;) {
+        p->run[e >> 1].to_hi |= RUN_SEEN;
+        e = pool_other_end(e);
+        if (p->mate[e] < 0) return e;
+        e = p->mate[e];
+    }
+}
+
 int32_t chain_close(chain_t *c) {
     pool_t *p = c->pool;
     int32_t strokes = 0;
-    for (int32_t e = 0; e < 2 * p->n; e++) {
-        if (p->mate[e] >= 0 || p->run[e >> 1].to_hi & RUN_SEEN) continue;
-        int32_t far = e;
-        for (;;) {
-            p->run[far >> 1].to_hi |= RUN_SEEN;
-            far = pool_other_end(far);
-            if (p->mate[far] < 0) break;
-            far = p->mate[far];
+    for (int32_t r = 0; r < p->n; r++) {
+        int32_t *mate = &p->mate[2 * r];
+        if (mate[0] < 0 && mate[1] < 0) { /* as most of a rough surface are: it need not be looked at */
+            mate[0] = ~(2 * r + 1);
+            mate[1] = ~(2 * r);
+            strokes++;
+        } else if ((mate[0] < 0 || mate[1] < 0) && !(p->run[r].to_hi & RUN_SEEN)) {
+            const int32_t e = 2 * r + (mate[0] >= 0), far = close_stroke(p, e);
+            p->mate[e] = ~far;
+            p->mate[far] = ~e;
+            strokes++;
         }
-        p->mate[e] = ~far;
-        p->mate[far] = ~e;
-        strokes++;
     }
     c->free = 2 * strokes;
     return strokes;
+}
+
+bool chain_is_closed(const pool_t *p, int32_t r) {
+    return p->mate[2 * r] >= 0 && p->mate[2 * r + 1] >= 0 && !(p->run[r].to_hi & RUN_SEEN);
 }

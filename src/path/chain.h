@@ -32,9 +32,11 @@ typedef struct chain {
 int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near_lat);
 /* Pairs ends: fills pool->mate; free ends are negative until chain_close says more. */
 void chain_pair(chain_t *c);
-/* Links the two free ends of every stroke; RUN_SEEN then marks every run of an open stroke, and those that are not
- * marked are closed strokes. Returns the number of open strokes. */
+/* Links the two free ends of every stroke, and marks the runs of open strokes RUN_SEEN that have no free end. Returns
+ * the number of open strokes. */
 int32_t chain_close(chain_t *c);
+/* Is the run r part of a closed stroke, and not marked RUN_SEEN since? */
+bool chain_is_closed(const pool_t *p, int32_t r);
 
 /* Free ends within near_lat of p: up to max of them into out. Returns how many. Ends met on the way that are no longer
  * free are forgotten. */

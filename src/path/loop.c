@@ -62,14 +62,14 @@ bool loop_find(chain_t *c) {
     int32_t places = 0;
     for (int32_t k = 0; k < pool->n; k++) {
         const run_t *r = &pool->run[k];
-        if (!(r->to_hi & RUN_SEEN) && places < PLACES_MAX)
+        if (chain_is_closed(pool, k) && places < PLACES_MAX)
             places += (int32_t)((run_t_of(r, 1) - run_t_of(r, 0)) >> ink_bits(run_family(r))) + 2;
     }
     if (places == 0) return false;
     chain_ask_begin(c, places * CELLS_PER_PLACE);
     for (int32_t k = 0; k < pool->n; k++) {
         const run_t *r = &pool->run[k];
-        if (r->to_hi & RUN_SEEN) continue;
+        if (!chain_is_closed(pool, k)) continue;
         for (int64_t t = run_t_of(r, 0), end = run_t_of(r, 1); t <= end; t = after(r, t, end)) {
             page_point_t p;
             if (point_of(c, r, t, &p)) chain_ask(c, p);
@@ -126,7 +126,7 @@ int32_t loop_open(chain_t *c) {
     const int32_t runs = p->n;
     for (int32_t r = 0; r < runs; r++) {
         meeting_t m = {0};
-        if (p->run[r].to_hi & RUN_SEEN) continue;
+        if (!chain_is_closed(p, r)) continue;
         pool_tick(p);
         const bool found = walk(c, 2 * r, &m);
         alone += open_at(c, r, found, &m);

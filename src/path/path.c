@@ -73,7 +73,9 @@ static void drop_dots(path_t *p, const chain_t *c) {
 static void forget_drawn(pool_t *pool) {
     int32_t n = 0;
     for (int32_t r = 0; r < pool->n; r++) {
-        if (!(pool->run[r].to_hi & RUN_DRAWN)) pool->run[n++] = pool->run[r];
+        if (pool->run[r].to_hi & RUN_DRAWN) continue;
+        pool->run[n] = pool->run[r];
+        pool->run[n++].to_hi &= ~RUN_SEEN;
     }
     pool->n = n;
 }
