@@ -40,7 +40,6 @@ static bool is_left_out(const line_sorter_t *l, int32_t edge) {
 static int sort_piece(void *ctx, const ink_piece_t *p) {
     const line_sorter_t *l = ctx;
     if (p->family != INK_SEGMENT || p->surface != 0) return l->next.piece(l->next.ctx, p);
-    if (solid_is_across(l->map->solid, &l->map->solid->edge[p->line])) return 0;
     ink_piece_t piece = *p;
     bool silhouette = line_is_silhouette(l->map, p->line);
     if (!silhouette && is_left_out(l, p->line)) return 0;

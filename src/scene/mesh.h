@@ -16,8 +16,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* In place of a cosine in smooth_q30: a surface whose cells are two triangles each. What runs across a cell is no line.
- */
+/* In place of a cosine in smooth_q30: a surface whose cells are two triangles each. What runs across a cell is a line
+ * only where it is an outline: there the cell is folded for the eye. */
 #define MESH_GRID (-1)
 
 enum mesh_kind {

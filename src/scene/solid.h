@@ -107,9 +107,8 @@ static inline solid_tone_t solid_tone(const solid_edge_t *e) {
 static inline bool solid_is_clear(const solid_t *s, int32_t face) {
     return s->face[face].clear;
 }
-/* Does the edge run across a cell of a surface (MESH_GRID)? Then it is no line of the drawing. */
-bool solid_is_across(const solid_t *s, const solid_edge_t *e);
-/* Do the edge's two faces meet so flatly that `crease` leaves it to outlines? */
+/* Do the edge's two faces meet so flatly that `crease` leaves it to outlines? Or does it run across a cell of a surface
+ * (MESH_GRID)? */
 bool solid_is_smooth(const solid_t *s, const solid_edge_t *e);
 
 #endif

@@ -92,7 +92,7 @@ static int64_t product(const solid_normal_t *a, const solid_normal_t *b) {
     return a->n[0] * b->n[0] + a->n[1] * b->n[1] + a->n[2] * b->n[2];
 }
 
-bool solid_is_across(const solid_t *s, const solid_edge_t *e) {
+static bool is_across(const solid_t *s, const solid_edge_t *e) {
     const solid_vertex_t *a = &s->vertex[e->v[0]], *b = &s->vertex[e->v[1]];
     return e->face[0] >= 0 && s->object[s->face[e->face[0]].object].smooth_q30 == MESH_GRID && a->at[0] != b->at[0] &&
            a->at[1] != b->at[1];
@@ -102,7 +102,7 @@ bool solid_is_smooth(const solid_t *s, const solid_edge_t *e) {
     if (e->face[0] < 0 || e->face[1] < 0) return false;
     const int32_t least_q30 = s->object[s->face[e->face[0]].object].smooth_q30;
     if (!least_q30) return false;
-    if (least_q30 == MESH_GRID) return solid_is_across(s, e);
+    if (least_q30 == MESH_GRID) return is_across(s, e);
     solid_normal_t a = solid_face_normal(s, e->face[0]), b = solid_face_normal(s, e->face[1]);
     solid_shorten(&a);
     solid_shorten(&b);

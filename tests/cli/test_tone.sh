@@ -179,6 +179,22 @@ surfaces_take_shadows() {
     echo "# test_tone: the border of a box's shadow on a bowed sheet is $with mm long"
 }
 
+# A saddle, whose cells are all twisted, seen from so low that it is folded: its outline is closed, so every upright line
+# through it meets it at least twice.
+outlines_of_surfaces_are_closed() {
+    for kernel in 'area outline; set shadow' 'area outline; set hatch 30,1; set shadow'; do
+        for n in 5 10 21 40; do
+            printf 'set view from 30,-22,18\nset isosamples %d\nset pen hatch 2\nset hidden3d %s\nsplot [-3:3][-3:3] x*y/4\n' $n "$kernel" >outline.gp
+            ridgeline plot outline.gp -o outline.seg
+            awk '/^# pen/ { pen = $3 } /^#/ || NF != 4 || pen == 2 { next }
+                { a = $1 < $3 ? $1 : $3; b = $1 + $3 - a; n++; x0[n] = a; x1[n] = b; lo = n == 1 || a < lo ? a : lo; hi = b > hi ? b : hi }
+                END { for (k = 1; k < 400; k++) { x = lo + (hi - lo) * (k + .01) / 400; c = 0
+                    for (i = 1; i <= n; i++) c += x0[i] < x && x <= x1[i]
+                    if (c < 2) { print "the outline is open at " x " mm"; exit 1 } } }' outline.seg || { echo "$kernel, $n"; return 1; }
+        done
+    done
+}
+
 # A sheet of 4 x 4 over one of 2 x 2 that it covers by half, from straight above; dashes by arithmetic: 2 mm and gaps of 1.5.
 glass_is_looked_through() {
     printf 'v -2 -2 2\nv 2 -2 2\nv 2 2 2\nv -2 2 2\nf 1 2 3 4\n' >glass.obj
@@ -323,4 +339,4 @@ settings_are_answered() {
     done
 }
 
-run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own grazing_light_casts_long_shadows shadows_overlap lamps_cast_shadows_too surfaces_are_shaded lamps_are_weighed_at_the_sheet surfaces_take_shadows glass_is_looked_through glass_has_a_name details_end_with_their_face patches_have_tones settings_are_answered
+run_tests pens_take_their_lines outlines_leave_creases_out creases_by_angle lights_cast_shadows_of_their_own grazing_light_casts_long_shadows shadows_overlap lamps_cast_shadows_too surfaces_are_shaded lamps_are_weighed_at_the_sheet surfaces_take_shadows outlines_of_surfaces_are_closed glass_is_looked_through glass_has_a_name details_end_with_their_face patches_have_tones settings_are_answered
