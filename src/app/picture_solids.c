@@ -22,8 +22,14 @@ typedef struct meshes {
     const mesh_t *list[CONFIG_PLOT_ITEMS];
 } meshes_t;
 
-/* The area sort wants flat faces, and knows details. */
+/* Where lines are hidden the cells of surfaces are two triangles each, whose common line is drawn where a twisted one
+ * is folded for the eye: else it would end in lines that go nowhere. */
 static bool wants_triangles(const plot_t *plot) {
+    return CONFIG_PLOT_ITEMS > 1 && plot->settings->hidden != HIDDEN_NONE && plot->settings->hidden != HIDDEN_HALO;
+}
+
+/* The area sort alone knows details. */
+static bool wants_details(const plot_t *plot) {
     return CONFIG_AREA && plot->settings->hidden == HIDDEN_AREA;
 }
 
@@ -146,7 +152,7 @@ static int put_together(picture_t *p) {
     p->arena = before;
     p->arena.bytes = all;
     if (!err) arena_take(&p->arena, p->solid.bytes); /* the same place */
-    if (!err && !wants_triangles(p->plot)) solid_free_details(&p->solid);
+    if (!err && !wants_details(p->plot)) solid_free_details(&p->solid);
     return err;
 }
 
