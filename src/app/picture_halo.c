@@ -135,7 +135,7 @@ int picture_halo_surfaces(picture_t *p, const hidden_job_t *job) {
 static bool solid_edge(void *ctx, int32_t e, ink_piece_t *ink, page_h_t end[2], int32_t depth[2]) {
     const solid_map_t *m = ctx;
     const solid_edge_t *edge = &m->solid->edge[e];
-    if (edge->first != e || solid_is_cut(edge)) return false;
+    if (edge->first != e || solid_is_cut(m->solid, edge)) return false;
     *ink = (ink_piece_t){.family = INK_SEGMENT, .line = e, .to = INK_ONE};
     for (int k = 0; k < 2; k++) {
         end[k] = solid_map_vertex(m, edge->v[k]);

@@ -40,11 +40,6 @@ typedef struct solid_edge {
     int32_t first;   /* the first of them, which stands for all in ink; itself for most */
 } solid_edge_t;
 
-/* A cut from a polygon's border to a hole in it: both sides are one face, and it is no line of the drawing. */
-static inline bool solid_is_cut(const solid_edge_t *e) {
-    return e->face[0] >= 0 && e->face[0] == e->face[1] && e->twin < 0;
-}
-
 typedef struct solid_face {
     int32_t corner; /* solid->corner[corner .. corner + n - 1], n >= 3; neighbours differ */
     int32_t n : 31;
@@ -80,6 +75,16 @@ typedef struct solid {
     int32_t shift;
     size_t bytes; /* of the lent memory that stay in use */
 } solid_t;
+
+/* Is the edge, with all twins behind it, a cut from a polygon's border to a hole in it? Both sides are one face, and it
+ * is no line of the drawing. */
+static inline bool solid_is_cut(const solid_t *s, const solid_edge_t *e) {
+    while (e->face[0] >= 0 && e->face[0] == e->face[1]) {
+        if (e->twin < 0) return true;
+        e = &s->edge[e->twin];
+    }
+    return false;
+}
 
 /* Memory that certainly suffices for these meshes while they are put together. */
 size_t solid_bytes(const mesh_t *const *mesh, int32_t n);

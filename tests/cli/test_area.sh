@@ -88,6 +88,11 @@ holes_are_holes() {
         "$(awk -v b="$lines" 'BEGIN { s = b / (46 + 2 * sqrt(5)); print 54 * s * s / 2 }')" 10
     close_to "$(ink 'set hidden3d convex')" "$lines" 0.01
     close_to "$(ink 'set hidden3d none')" "$lines" 0.01
+    # a hole that is all of it leaves nothing
+    for hole in '1 2 3 4' '3 4 1 2' '4 3 2 1'; do
+        printf 'v 0 0 0\nv 8 0 0\nv 8 8 0\nv 0 8 0\nf 1 2 3 4 h %s\nv 9 0 0\nv 9 1 0\nv 9 0 1\nf 5 6 7\n' "$hole" >ground.obj
+        awk -v a="$(ink '')" 'BEGIN { exit !(a > 10 && a < 50) }' || { echo "a hole $hole"; return 1; }
+    done
     printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3 h 3 2\n' >bad.obj
     printf 'splot "bad.obj"\n' >bad.gp
     expect_status 2 ridgeline plot bad.gp -o bad.svg 2>err

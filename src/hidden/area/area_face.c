@@ -38,7 +38,7 @@ static void find_edges(const solid_t *s, int32_t *corner_edge) {
     for (int32_t k = 0; k < s->nc; k++) corner_edge[k] = POLY_CUT;
     for (int32_t e = 0; e < s->ne; e++) {
         const solid_edge_t *edge = &s->edge[e];
-        if (solid_is_cut(edge)) continue;
+        if (solid_is_cut(s, edge)) continue;
         for (int side = 0; side < 2; side++) {
             if (edge->face[side] < 0) continue;
             const solid_face_t *f = &s->face[edge->face[side]];

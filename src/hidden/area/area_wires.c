@@ -169,7 +169,7 @@ int area_wires(const area_faces_t *faces, const uint8_t *state, void *mem, size_
     m.scratch = (uint8_t *)mem + 2 * third;
     m.scratch_bytes = third;
     for (int32_t e = 0; e < s->ne; e++) {
-        if (s->edge[e].first != e || solid_is_cut(&s->edge[e])) continue;
+        if (s->edge[e].first != e || solid_is_cut(s, &s->edge[e])) continue;
         const int who = who_answers_for(s, e, state);
         if (who == POLYGONS || (who == ROUGHLY && !sink->again)) continue;
         if (who == ROUGHLY) sink->again(sink->ctx, e);

@@ -219,7 +219,7 @@ enum fate {
 
 static enum fate fate_of(const drawing_t *d, int32_t edge) {
     const solid_edge_t *all = d->map->solid->edge, *e = &all[edge];
-    if (e->first != edge || solid_is_cut(e) || is_left_out(d, edge)) return NO_LINE;
+    if (e->first != edge || solid_is_cut(d->map->solid, e) || is_left_out(d, edge)) return NO_LINE;
     for (int32_t k = edge; k >= 0; k = all[k].twin)
         if (!shadows_is_candidate(&d->shadows, &all[k])) return DROPPED;
     return LINE;

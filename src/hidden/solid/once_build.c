@@ -73,7 +73,7 @@ static bool is_behind_itself(const search_t *s, int32_t edge) {
 /* Finds the edge's points. Does it take part? */
 static bool place_edge(search_t *s, int32_t edge) {
     const solid_edge_t *e = &s->map->solid->edge[edge];
-    if (e->first != edge || solid_is_cut(e) || is_behind_itself(s, edge)) return false;
+    if (e->first != edge || solid_is_cut(s->map->solid, e) || is_behind_itself(s, edge)) return false;
     for (int k = 0; k < 2; k++) s->point[2 * edge + k] = e->v[k];
     if (needs_cut(s->map, e) && !cut_edge(s, edge)) return false;
     const page_point_t *p = end_of(s, edge, 0), *q = end_of(s, edge, 1);
