@@ -182,7 +182,7 @@ surfaces_take_shadows() {
 # A saddle, whose cells are all twisted, seen from so low that it is folded: its outline is closed, so every upright line
 # through it meets it at least twice.
 outlines_of_surfaces_are_closed() {
-    for kernel in 'area outline; set shadow' 'area outline; set hatch 30,1; set shadow'; do
+    for kernel in outline 'area outline; set shadow' 'area outline; set hatch 30,1; set shadow'; do
         for n in 5 10 21 40; do
             printf 'set view from 30,-22,18\nset isosamples %d\nset pen hatch 2\nset hidden3d %s\nsplot [-3:3][-3:3] x*y/4\n' $n "$kernel" >outline.gp
             ridgeline plot outline.gp -o outline.seg
