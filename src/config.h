@@ -89,6 +89,11 @@
 #define CONFIG_DOUBLES CONFIG_AREA
 #endif
 
+/* Faces with holes (`f ... h ...`; 0 or 1): 1.7 KB of flash. */
+#ifndef CONFIG_HOLES
+#define CONFIG_HOLES 1
+#endif
+
 /* 1: edges of solids that are turned from the eye are not asked what they coincide with (hidden/solid/once_away.h).
  * Nothing depends on it but speed; 0.7 KB of code. */
 #ifndef CONFIG_ONCE_AWAY

@@ -1,6 +1,7 @@
 /* obj_reader.c - words of an OBJ file; a line's first word says what the others are. */
 #include "scene/obj_words.h"
 
+#include "config.h"
 #include "error.h"
 #include "scene/field.h"
 #include <string.h>
@@ -75,7 +76,7 @@ static void turn_hole(obj_reader_t *r) {
 static int end_contour(obj_reader_t *r) {
     int32_t count = r->mesh.words - r->contour;
     if (count < 3) return obj_refuse(r, DATA_SHORT);
-    if (r->contour == r->head + 1) return 0;
+    if (!CONFIG_HOLES || r->contour == r->head + 1) return 0;
     turn_hole(r);
     return obj_push(r, *obj_word(r, r->contour));
 }
@@ -88,7 +89,7 @@ static int begin_hole(obj_reader_t *r) {
 }
 
 static int corner(obj_reader_t *r) {
-    if (r->what == 'f' && r->token_len == 1 && r->token[0] == 'h') return begin_hole(r);
+    if (CONFIG_HOLES && r->what == 'f' && r->token_len == 1 && r->token[0] == 'h') return begin_hole(r);
     if (r->what == 'd' && obj_detail_word(r)) return obj_detail_take(r);
     int32_t i = 0, v = 0;
     bool negative = r->token[0] == '-';

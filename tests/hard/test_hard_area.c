@@ -14,6 +14,7 @@
 #include "error.h"
 #include "hidden/area/area_face.h"
 #include "tests/oracle/hard_bodies.h"
+#include "tests/oracle/hard_holes.h"
 #include "tests/oracle/num_of.h"
 #include "tests/oracle/page_ink.h"
 #include "tests/oracle/run_cases.h"
@@ -66,22 +67,7 @@ static void many_overlap_cyclically(void **state) {
     (void)state;
     for (int n = 3; n <= 13; n += 5) {
         solid_scene_t s = {0};
-        for (int k = 0; k < n; k++) {
-            double p[2][2], q[4][3];
-            for (int i = 0; i < 2; i++) {
-                double t = 6.283185307179586 * (k + i) / n, u = 6.283185307179586 * (k + 1 - i) / n;
-                p[i][0] = cos(t) + .3 * (cos(t) - cos(u));
-                p[i][1] = sin(t) + .3 * (sin(t) - sin(u));
-            }
-            double dx = p[1][0] - p[0][0], dy = p[1][1] - p[0][1], w = 0.2 / n / hypot(dx, dy);
-            for (int i = 0; i < 4; i++) {
-                int far = i == 1 || i == 2, sign = i < 2 ? 1 : -1;
-                q[i][0] = p[far][0] - sign * dy * w;
-                q[i][1] = p[far][1] + sign * dx * w;
-                q[i][2] = far;
-            }
-            hard_polygon(&s.ref, (const double(*)[3])q, 4);
-        }
+        hard_circle(&s.ref, n);
         char name[32];
         snprintf(name, sizeof name, "%d bars in a circle", n);
         assert_int_equal(judge_around(name, &s, false), 0);
@@ -121,72 +107,20 @@ static void needles_reach_behind_the_eye(void **state) {
 static void cuts_are_reported(void **state) {
     (void)state;
     solid_scene_t s = {0};
-    static const double a[][3] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}},
-                        b[][3] = {{1, 2, -1}, {3, 2, -1}, {3, 2.5, 1}, {1, 2.5, 1}};
-    hard_polygon(&s.ref, a, 4);
-    hard_polygon(&s.ref, b, 4);
+    hard_cut(&s.ref);
     assert_true(judge_around("a cut", &s, false) > 150);
 }
 
 /* ---- holes ---- */
 
-/* A face of contours, the first one outer, over the plane z = slope x: each hole is joined to it by a cut gone along
- * both ways, as the OBJ reader does it. */
-typedef struct outline {
-    int n;
-    double xy[12][2];
-} outline_t;
-
-static void holed(solid_ref_t *r, const outline_t *contour, int contours, double slope) {
-    int v[64], n = 0;
-    for (int c = 0; c < contours; c++) {
-        if (c > 0) v[n++] = v[0];
-        int first = n;
-        for (int k = 0; k < contour[c].n; k++) {
-            const double *p = contour[c].xy[k];
-            v[n++] = solid_ref_vertex(r, p[0], p[1], slope * p[0]);
-        }
-        if (c > 0) v[n++] = v[first];
-    }
-    solid_ref_face(r, v, n);
-}
-
-/* What is behind, in front of and in the holes of it. */
-static void surroundings(solid_ref_t *r) {
-    static const double back[][3] = {{-1, 1, -2.05}, {9, 2, -1.55}, {8, 7, -1.6}, {0, 6, -2}},
-                        front[][3] = {{1, -1, 3.9}, {2, -1, 3.9}, {2.5, 9, 4.9}, {1.5, 9, 4.9}};
-    hard_polygon(r, back, 4);
-    hard_polygon(r, front, 4);
-    hard_box(r, 2.4, 2.3, -1, 0.5, 0.5, 4);
-}
-
-/* A macro: clang takes no constant object in the initializer of another. */
-#define SQUARE                                                                                                         \
-    {                                                                                                                  \
-        4, {                                                                                                           \
-            {0, 0}, {8, 0}, {8, 8}, {                                                                                  \
-                0, 8                                                                                                   \
-            }                                                                                                          \
-        }                                                                                                              \
-    }
-
 static void holes_touch_in_points(void **state) {
     (void)state;
-    static const outline_t holes[][3] = {
-        {SQUARE, {3, {{0, 4}, {5, 2}, {5, 6}}}},                                                /* on an edge */
-        {SQUARE, {4, {{0, 0}, {4, 2}, {4, 4}, {2, 4}}}},                                        /* in a corner */
-        {SQUARE, {4, {{0, 0}, {6, 2}, {8, 8}, {2, 6}}}},                                        /* in two corners */
-        {SQUARE, {4, {{2, 2}, {4, 2}, {4, 4}, {2, 4}}}, {4, {{4, 4}, {6, 4}, {6, 6}, {4, 6}}}}, /* each other */
-        {SQUARE, {4, {{0, 4}, {4, 2}, {8, 4}, {4, 6}}}, {4, {{4, 6}, {5, 7}, {4, 8}, {3, 7}}}}, /* all of it */
-        {SQUARE, {4, {{1, 1}, {7, 1}, {7, 7}, {1, 7}}}, {4, {{1, 4}, {4, 1}, {7, 4}, {4, 7}}}}, /* one in another */
-    };
-    for (size_t k = 0; k < sizeof holes / sizeof holes[0]; k++)
+    for (int k = 0; k < HARD_HOLES; k++)
         for (int inside = 0; inside < 2; inside++) {
             solid_scene_t s = {0};
-            holed(&s.ref, holes[k], holes[k][2].n ? 3 : 2, 0.2);
-            surroundings(&s.ref);
+            hard_hole(&s.ref, k);
             char name[40];
-            snprintf(name, sizeof name, "holes that touch, %d%s", (int)k, inside ? ", from inside" : "");
+            snprintf(name, sizeof name, "holes that touch, %d%s", k, inside ? ", from inside" : "");
             judge_around(name, &s, inside);
         }
 }
@@ -207,34 +141,19 @@ static page_ink_t ink_of(solid_scene_t *s, int x, int z) {
 /* A hole along an edge is a notch: the same drawing as of the polygon that has one. */
 static void a_hole_along_an_edge_is_a_notch(void **state) {
     (void)state;
-    static const struct {
-        int contours;
-        outline_t hole[3], notched;
-    } cases[] = {
-        {2,
-         {SQUARE, {4, {{0, 3}, {4, 3}, {4, 5}, {0, 5}}}},
-         {8, {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 5}, {4, 5}, {4, 3}, {0, 3}}}},
-        {2, {SQUARE, {4, {{0, 0}, {3, 0}, {3, 2}, {0, 2}}}}, {6, {{3, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 2}, {3, 2}}}},
-        {2, {SQUARE, {4, {{0, 0}, {8, 0}, {8, 2}, {0, 2}}}}, {4, {{0, 2}, {8, 2}, {8, 8}, {0, 8}}}},
-        {3,
-         {SQUARE, {4, {{0, 2}, {3, 2}, {3, 4}, {0, 4}}}, {4, {{0, 4}, {3, 4}, {3, 6}, {0, 6}}}},
-         {8, {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 6}, {3, 6}, {3, 2}, {0, 2}}}},
-    };
     const double near_mm = CASES_END_STEPS * JUDGE_STEP_MM;
     double worst = 0, length = 0;
     int views = 0;
-    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+    for (int k = 0; k < HARD_NOTCHES; k++) {
         solid_scene_t a = {0}, b = {0};
-        holed(&a.ref, cases[k].hole, cases[k].contours, 0.2);
-        holed(&b.ref, &cases[k].notched, 1, 0.2);
-        surroundings(&a.ref);
-        surroundings(&b.ref);
+        hard_notch(&a.ref, k, false);
+        hard_notch(&b.ref, k, true);
         for (int x = 0; x <= 180; x += 15)
             for (int z = 0; z < 360; z += 24) {
                 page_ink_t p = ink_of(&a, x, z), q = ink_of(&b, x, z);
                 double off = fmax(page_lines_uncovered(&p.lines, &q.lines, near_mm),
                                   page_lines_uncovered(&q.lines, &p.lines, near_mm));
-                if (off > CASES_RUN_MM) fail_msg("notch %d from %d,%d: %g mm differ", (int)k, x, z, off);
+                if (off > CASES_RUN_MM) fail_msg("notch %d from %d,%d: %g mm differ", k, x, z, off);
                 worst = fmax(worst, off);
                 length += page_lines_length(&p.lines);
                 views++;

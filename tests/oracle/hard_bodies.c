@@ -75,6 +75,31 @@ void hard_bars(solid_ref_t *r) {
         hard_polygon(r, q, 4);
     }
 }
+/* Each bar rises over the next: of n none is the first. */
+void hard_circle(solid_ref_t *r, int n) {
+    for (int k = 0; k < n; k++) {
+        double p[2][2], q[4][3];
+        for (int i = 0; i < 2; i++) {
+            double t = TURN * (k + i) / n, u = TURN * (k + 1 - i) / n;
+            p[i][0] = cos(t) + .3 * (cos(t) - cos(u));
+            p[i][1] = sin(t) + .3 * (sin(t) - sin(u));
+        }
+        double dx = p[1][0] - p[0][0], dy = p[1][1] - p[0][1], w = 0.2 / n / hypot(dx, dy);
+        for (int i = 0; i < 4; i++) {
+            int far = i == 1 || i == 2, sign = i < 2 ? 1 : -1;
+            q[i][0] = p[far][0] - sign * dy * w;
+            q[i][1] = p[far][1] + sign * dx * w;
+            q[i][2] = far;
+        }
+        hard_polygon(r, (const double(*)[3])q, 4);
+    }
+}
+void hard_cut(solid_ref_t *r) {
+    static const double a[][3] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}},
+                        b[][3] = {{1, 2, -1}, {3, 2, -1}, {3, 2.5, 1}, {1, 2.5, 1}};
+    hard_polygon(r, a, 4);
+    hard_polygon(r, b, 4);
+}
 void hard_penetrating(solid_ref_t *r) {
     hard_box(r, -1, -1, -1, 2, 2, 2);
     hard_box(r, -2, -.43, -.37, 4.1, .81, .77);

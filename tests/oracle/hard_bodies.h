@@ -16,6 +16,8 @@ void hard_lattice(solid_ref_t *r);
 void hard_one_plane(solid_ref_t *r);
 void hard_brackets(solid_ref_t *r);
 void hard_bars(solid_ref_t *r);
+void hard_circle(solid_ref_t *r, int n);
+void hard_cut(solid_ref_t *r);
 void hard_penetrating(solid_ref_t *r);
 void hard_slivers(solid_ref_t *r);
 void hard_needles(solid_ref_t *r);

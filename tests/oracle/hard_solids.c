@@ -4,7 +4,29 @@
 #include <stdio.h>
 
 #include "tests/oracle/hard_bodies.h"
+#include "tests/oracle/hard_holes.h"
 #include "tests/oracle/num_of.h"
+
+static void three_bars(solid_ref_t *r) {
+    hard_circle(r, 3);
+}
+static void thirteen_bars(solid_ref_t *r) {
+    hard_circle(r, 13);
+}
+
+#define HOLE(k)                                                                                                        \
+    static void hole_##k(solid_ref_t *r) {                                                                             \
+        hard_hole(r, k);                                                                                               \
+    }
+HOLE(0)
+HOLE(1)
+HOLE(2)
+HOLE(3)
+HOLE(4)
+HOLE(5)
+static void notches(solid_ref_t *r) {
+    hard_notch(r, 3, true);
+}
 
 static const struct {
     const char *name;
@@ -38,13 +60,23 @@ static const struct {
     /* Order. */
     {"two that overlap cyclically", hard_brackets, false, {20, 10, 0}, 0},
     {"nine that overlap cyclically", hard_bars, false, {25, 0, 0}, 0},
+    {"three that overlap cyclically", three_bars, false, {25, 0, 0}, 0},
+    {"thirteen that overlap cyclically", thirteen_bars, false, {25, 0, 0}, 0},
     {"bodies that penetrate", hard_penetrating, false, {60, 30, 0}, 0},
     /* Shapes. */
+    {"a face cut through by another", hard_cut, false, {60, 20, 0}, 0},
     {"slivers below a step", hard_slivers, false, {50, 30, 0}, 0},
     {"a needle from its end", hard_needle, false, {2, 100, 0}, 0},
     {"plates thinner than a step", hard_plates, false, {75, 35, 0}, 0},
     {"twisted quads", hard_twisted, false, {65, 20, 0}, 0},
     {"concave, with a window", hard_window, false, {30, 20, 0}, 0},
+    {"a hole that touches an edge", hole_0, false, {40, 25, 0}, 0},
+    {"a hole in a corner", hole_1, false, {40, 25, 0}, 0},
+    {"a hole in two corners", hole_2, false, {40, 25, 0}, 0},
+    {"holes that touch each other", hole_3, false, {40, 25, 0}, 0},
+    {"holes that touch all there is", hole_4, false, {40, 25, 0}, 0},
+    {"a hole in a hole", hole_5, false, {40, 25, 0}, 0},
+    {"holes along an edge, a notch", notches, false, {40, 25, 0}, 0},
     {"concave prisms", hard_angles, false, {60, 30, 0}, 0},
     {"open: a box without walls", hard_open_sides, false, {60, 30, 0}, 0},
     {"broken: no area, there twice, a corner twice", hard_broken, false, {60, 30, 0}, 0},

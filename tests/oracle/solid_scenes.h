@@ -13,7 +13,8 @@ typedef struct solid_scene {
     solid_ref_t ref; /* without the eye */
     settings_t set;  /* view and paper */
     char what[160];
-    bool lattice; /* bodies on a lattice: where they cut through each other, edges lie in faces that do */
+    bool lattice;  /* bodies on a lattice: where they cut through each other, edges lie in faces that do */
+    bool in_plane; /* the eye is in the plane of a face, of which others may be, too */
 } solid_scene_t;
 
 /* Up to `objects` of: boxes (turned, or touching each other on a lattice), pyramids, prisms (L-shaped ones too),
@@ -29,6 +30,12 @@ void solid_scene_flush(solid_scene_t *s, uint64_t seed, int objects);
 void solid_scene_touching(solid_scene_t *s, uint64_t seed, int objects);
 /* The same, from a hundredth to a tenth of a unit cube from a vertex. */
 void solid_scene_close(solid_scene_t *s, uint64_t seed, int objects);
+/* How far p is from the nearest face, or less: on a face, what the eye sees is a matter of taste. */
+double solid_scene_clearance(const solid_ref_t *r, const exact_point_t *p);
+/* Polygons as the area sort dislikes them, of one kind: faces with holes that touch each other and their outline, bars
+ * in circles of which none is the first, slats woven into each other, plates in one plane and planes next to it, steps
+ * with flush walls, sizes from 1 to 10,000; mostly turned. `objects` says how many, roughly. */
+void solid_scene_polygons(solid_scene_t *s, uint64_t seed, int objects);
 /* k x k unit cubes, pitch 1.5, 25 degrees above the ground: Franklin & Akman's figure 4. */
 void solid_scene_cubes(solid_scene_t *s, int k);
 /* n x n quadrilaterals of two triangles round a torus; hole 0: a ball. Seen as the cubes. */

@@ -173,8 +173,7 @@ static double from_triangle(const exact_point_t *p, const exact_point_t *v[3]) {
     return least;
 }
 
-/* On a face, what the eye sees is a matter of taste. Faces are convex here. */
-static double clearance(const solid_ref_t *r, const exact_point_t *p) {
+double solid_scene_clearance(const solid_ref_t *r, const exact_point_t *p) {
     double least = INFINITY;
     for (int f = 0; f < r->nf; f++) {
         const int n = r->first[f + 1] - r->first[f], *c = r->corner + r->first[f];
@@ -202,7 +201,7 @@ static void look(solid_scene_t *s, int kind) {
     s->set.view.from = kind < ALONG_AXES || kind == FROM_CLOSE;
     if (s->set.view.from) {
         exact_point_t e = eye_of(r, kind);
-        for (int k = 0; k < 20 && clearance(r, &e) < 2e-4; k++) e = eye_of(r, kind);
+        for (int k = 0; k < 20 && solid_scene_clearance(r, &e) < 2e-4; k++) e = eye_of(r, kind);
         const double at[3] = {e.x, e.y, e.z};
         for (int k = 0; k < 3; k++) s->set.view.eye[k] = num_of(at[k]);
         snprintf(s->what, sizeof s->what, "touching, set view from %.17g,%.17g,%.17g", at[0], at[1], at[2]);

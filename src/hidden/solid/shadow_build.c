@@ -60,7 +60,8 @@ static const shadow_t EMPTY = {.x0 = INT32_MAX,
                                .seen = INT32_MAX,
                                .owner = INT32_MIN};
 
-/* One polygon of n corners; away: its other side is seen. face: whose it is, -1 for a triangle of one. */
+/* One polygon of n corners; away: its other side is seen. face: whose plane it is in, -1 for a triangle of one that is
+ * not flat. */
 static void add_polygon(shadows_t *s, counts_t *at, const int32_t *corner, int32_t n, const solid_normal_t *normal,
                         bool away, int32_t face) {
     shadow_t *part = &s->list[at->parts++];
@@ -83,12 +84,19 @@ static void add_polygon(shadows_t *s, counts_t *at, const int32_t *corner, int32
 typedef struct filling {
     shadows_t *s;
     counts_t at;
-    bool open; /* the face at hand is seen from both sides */
-    bool away; /* it looks away */
+    bool open;                  /* the face at hand is seen from both sides */
+    bool away;                  /* it looks away */
+    const solid_normal_t *flat; /* it is flat, and this is its normal: of all its triangles, none of which hides its
+                                   edges then */
+    int32_t face;
 } filling_t;
 
 static void add_triangle(void *ctx, const int32_t v[3]) {
     filling_t *fill = ctx;
+    if (fill->flat) {
+        add_polygon(fill->s, &fill->at, v, 3, fill->flat, fill->away, fill->face);
+        return;
+    }
     const solid_vertex_t *vertex = fill->s->map->solid->vertex;
     solid_normal_t n = solid_cross(solid_sub(&vertex[v[1]], &vertex[v[0]]), solid_sub(&vertex[v[2]], &vertex[v[0]]));
     int side = solid_side(fill->s->map, &n, &vertex[v[0]]);
@@ -123,13 +131,20 @@ static int add_bent(filling_t *fill, int32_t f, const solid_normal_t *n, void *s
     const solid_face_t *face = &solid->face[f];
     fill->open = fill->s->face[f] & SHADOW_OPEN;
     fill->away = shadow_side_of(fill->s, f) == SHADOW_AWAY;
+    fill->flat = NULL;
     if (face->n == 4) {
         add_cell(fill, solid->corner + face->corner);
         return 0;
     }
-    int err =
-        solid_face_is_flat(solid, f, n) ? 1 : triangulate_seen(solid, f, turn_seen, spare, bytes, add_triangle, fill);
-    return err == 1 ? triangulate(solid, f, n, spare, bytes, add_triangle, fill) : err;
+    if (!solid_face_is_flat(solid, f, n)) {
+        const int err = triangulate_seen(solid, f, n, turn_seen, spare, bytes, add_triangle, fill);
+        if (err != 1) return err;
+    } else {
+        if (shadow_side_of(fill->s, f) != SHADOW_FRONT && !(fill->open && fill->away)) return 0;
+        fill->flat = n;
+        fill->face = f;
+    }
+    return triangulate(solid, f, n, spare, bytes, add_triangle, fill);
 }
 
 /* Makes a shadow of each convex object, counts its planes and outlines, and all polygons'. */

@@ -2,22 +2,20 @@
  * signs are exact. */
 #include "hidden/solid/triangulate.h"
 
+#include "config.h"
 #include "error.h"
-#include <string.h>
+#include "hidden/solid/bridges.h"
 
 /* The corners of what is left, and what tells left from right. */
 typedef struct rest {
     int32_t *c, n;
     triangle_turn_t *turn;
     void *ctx;
+    flat_t *flat; /* NULL: as it is seen */
 } rest_t;
 
 static int turn_at(const rest_t *r, int32_t a, int32_t b, int32_t c) {
     return r->turn(r->ctx, a, b, c);
-}
-
-static bool is_within(const rest_t *r, int32_t a, int32_t b, int32_t c, int32_t p) {
-    return turn_at(r, a, b, p) >= 0 && turn_at(r, b, c, p) >= 0 && turn_at(r, c, a, p) >= 0;
 }
 
 static void corner(const rest_t *r, int32_t k, int32_t v[3]) {
@@ -26,77 +24,104 @@ static void corner(const rest_t *r, int32_t k, int32_t v[3]) {
     v[2] = r->c[k + 1 < r->n ? k + 1 : 0];
 }
 
-/* May the corner at k be cut off? Not if it is flat. */
-static bool is_ear(const rest_t *r, int32_t k) {
-    int32_t v[3];
-    corner(r, k, v);
-    if (turn_at(r, v[0], v[1], v[2]) <= 0) return false;
-    for (int32_t i = 0; i < r->n; i++) {
-        int32_t p = r->c[i];
-        if (p != v[0] && p != v[1] && p != v[2] && is_within(r, v[0], v[1], v[2], p)) return false;
+/* The sides of v's edges that p is not inside of, a bit each. */
+static int beyond(const rest_t *r, const int32_t v[3], int32_t p) {
+    int out = 0;
+    for (int k = 0; k < 3; k++)
+        if (turn_at(r, v[k], v[k < 2 ? k + 1 : 0], p) <= 0) out |= 1 << k;
+    return out;
+}
+
+/* Are all of v on one side of the line from p to q, or on it? */
+static bool is_passed(const rest_t *r, const int32_t v[3], int32_t p, int32_t q) {
+    int side = 0;
+    for (int k = 0; k < 3; k++) {
+        const int turn = turn_at(r, p, q, v[k]);
+        if (turn * side < 0) return false;
+        side |= turn;
     }
     return true;
 }
 
-/* Cuts ears off while there are any; true if that is all of it. anyhow: then any corner will do. */
+/* May the corner v be cut off? It must turn left, and no edge may pass through what is cut off: one that passes along
+ * its border or ends there is in nobody's way, so holes may touch. A line apart from both is one of their own. */
+static bool is_ear(const rest_t *r, const int32_t v[3]) {
+    if (turn_at(r, v[0], v[1], v[2]) <= 0) return false;
+    int32_t p = r->c[r->n - 1];
+    int at_p = beyond(r, v, p);
+    for (int32_t i = 0; i < r->n; i++) {
+        const int32_t q = r->c[i];
+        const int at_q = beyond(r, v, q);
+        if (!(at_p & at_q) && !is_passed(r, v, p, q)) return false;
+        p = q;
+        at_p = at_q;
+    }
+    return true;
+}
+
+/* Does the border turn back at the corner v? Then it is gone along both ways there, and what is beyond is nothing. */
+static bool is_spike(const rest_t *r, const int32_t v[3]) {
+    return v[0] == v[2] || (r->flat && turn_at(r, v[0], v[1], v[2]) == 0 && flat_dot(r->flat, v[0], v[1], v[2]) > 0);
+}
+
+/* The next corner from k on that may be cut off: a spike, or else an ear, or else what is straight; -1: none. */
+static int32_t find_corner(const rest_t *r, int32_t k) {
+    enum { SPIKE, EAR, STRAIGHT };
+    int32_t v[3];
+    for (int what = CONFIG_HOLES ? SPIKE : EAR; what <= STRAIGHT; what++)
+        for (int32_t tried = 0; tried < r->n; tried++, k = k + 1 < r->n ? k + 1 : 0) {
+            corner(r, k, v);
+            if (what == SPIKE ? is_spike(r, v) : what == EAR ? is_ear(r, v) : turn_at(r, v[0], v[1], v[2]) == 0)
+                return k;
+        }
+    return -1;
+}
+
+/* Cuts corners off, with `anyhow` also those of a border that crosses itself; true if that is all of it. */
 static bool cut_ears(rest_t *r, bool anyhow, void (*take)(void *ctx, const int32_t v[3]), void *ctx) {
     int32_t k = 0, v[3];
-    for (int32_t tried = 0; r->n > 3; k++) {
-        if (k >= r->n) k = 0;
-        if (tried == r->n && !anyhow) return false;
-        if (tried < r->n && !is_ear(r, k)) {
-            tried++;
+    for (; r->n >= 3; k++) {
+        const int32_t from = k < r->n ? k : 0;
+        k = find_corner(r, from);
+        if (k < 0 && CONFIG_HOLES && r->flat && r->flat->slack == 0) { /* what touches may be rounded into each other */
+            r->flat->slack = FLAT_SLACK;
             continue;
         }
+        if (k < 0 && !anyhow) return false;
+        if (k < 0) k = from;
         corner(r, k, v);
-        if (take) take(ctx, v);
+        if (take && turn_at(r, v[0], v[1], v[2]) != 0) take(ctx, v);
         for (int32_t i = k; i + 1 < r->n; i++) r->c[i] = r->c[i + 1];
         r->n--;
-        tried = 0;
     }
-    if (take) take(ctx, r->c);
-    return anyhow || turn_at(r, r->c[0], r->c[1], r->c[2]) > 0;
-}
-
-static void start(rest_t *r, const solid_t *s, int32_t face) {
-    r->n = s->face[face].n;
-    memcpy(r->c, s->corner + s->face[face].corner, (size_t)r->n * sizeof *r->c);
-}
-
-typedef struct flat {
-    const solid_t *s;
-    int u, v; /* axes, in the order that makes the polygon run counter-clockwise */
-} flat_t;
-
-static int flat_turn(void *ctx, int32_t a, int32_t b, int32_t c) {
-    const flat_t *f = ctx;
-    const int32_t *p = f->s->vertex[a].at, *q = f->s->vertex[b].at, *r = f->s->vertex[c].at;
-    const int64_t t =
-        (int64_t)(q[f->u] - p[f->u]) * (r[f->v] - p[f->v]) - (int64_t)(q[f->v] - p[f->v]) * (r[f->u] - p[f->u]);
-    return (t > 0) - (t < 0);
+    return true;
 }
 
 int triangulate(const solid_t *s, int32_t face, const solid_normal_t *normal, void *mem, size_t bytes,
                 void (*take)(void *ctx, const int32_t v[3]), void *ctx) {
     if (bytes / sizeof(int32_t) < (size_t)s->face[face].n) return ERR_FULL;
-    int axis = 0;
-    for (int k = 1; k < 3; k++)
-        if (solid_abs(normal->n[k]) > solid_abs(normal->n[axis])) axis = k;
-    flat_t f = {s, (axis + 1) % 3, (axis + 2) % 3};
-    if (normal->n[axis] < 0) f = (flat_t){s, (axis + 2) % 3, (axis + 1) % 3};
-    rest_t rest = {mem, 0, flat_turn, &f};
-    start(&rest, s, face);
+    flat_t f = flat_of(s, normal);
+    int32_t *c = mem;
+    const int32_t n = s->face[face].n;
+    int32_t done = bridges_lay(&f, face, c);
+    rest_t rest = {c, done, flat_turn, &f, &f};
     cut_ears(&rest, true, take, ctx);
+    while (done < n) {
+        const int32_t from = done + 1;
+        done = bridges_island(c, done, n);
+        rest = (rest_t){c + from, done - from - 1, flat_turn, &f, &f};
+        cut_ears(&rest, true, take, ctx);
+    }
     return 0;
 }
 
-int triangulate_seen(const solid_t *s, int32_t face, triangle_turn_t *turn, void *mem, size_t bytes,
-                     void (*take)(void *ctx, const int32_t v[3]), void *ctx) {
+int triangulate_seen(const solid_t *s, int32_t face, const solid_normal_t *normal, triangle_turn_t *turn, void *mem,
+                     size_t bytes, void (*take)(void *ctx, const int32_t v[3]), void *ctx) {
     if (bytes / sizeof(int32_t) < (size_t)s->face[face].n) return ERR_FULL;
-    rest_t rest = {mem, 0, turn, ctx};
-    start(&rest, s, face);
-    if (!cut_ears(&rest, false, NULL, NULL)) return 1;
-    start(&rest, s, face);
-    cut_ears(&rest, false, take, ctx);
+    flat_t f = flat_of(s, normal);
+    for (int give = 0; give < 2; give++) {
+        rest_t rest = {mem, bridges_lay(&f, face, mem), turn, ctx, NULL};
+        if (rest.n < s->face[face].n || !cut_ears(&rest, false, give ? take : NULL, ctx)) return 1;
+    }
     return 0;
 }

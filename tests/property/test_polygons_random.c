@@ -1,0 +1,51 @@
+/* Polygons that are hard to sort (solid_scene_polygons), by the area sort and by the convex kernel, judged against
+ * rays. Where faces cut through each other, edges may lie in the very lines of the cuts, which are not drawn: there it
+ * is judged that nothing hidden is. RIDGELINE_CASES multiplies the count, RIDGELINE_SEED tries one. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "tests/oracle/solid_cases.h"
+
+/* Each plate is held by the plane of its own corners, which are rounded: seen from in that plane others in it may be
+ * behind or in front. */
+static enum solid_verdict by_convex(void *ctx, const solid_scene_t *s, judge_report_t *r) {
+    (void)ctx;
+    if (s->in_plane) return SOLID_LEFT_OUT;
+    return solid_scene_judge(s, r) ? SOLID_GOOD : SOLID_FAILED;
+}
+
+static enum solid_verdict by_area_sort(void *ctx, const solid_scene_t *s, judge_report_t *r) {
+    int *cut = ctx;
+    area_stats_t area = {0};
+    const bool good = solid_scene_judge_area(s, r, &area);
+    *cut += area.intersections > 0;
+    if (good || !area.intersections) return good ? SOLID_GOOD : SOLID_FAILED;
+    r->missing_mm = r->end_steps = 0;
+    return r->false_mm <= CASES_RUN_MM && r->twice_mm <= CASES_TWICE_MM ? SOLID_GOOD : SOLID_FAILED;
+}
+
+static int run(const char *name, uint64_t first, solid_judge_t judge, void *ctx) {
+    cases_t c = {.name = name, .program = "test_polygons_random"};
+    return solid_cases_made(&c, first, cases_scaled(600), 4, solid_scene_polygons, judge, ctx);
+}
+
+static void polygons_area(void **state) {
+    (void)state;
+    int cut = 0;
+    const int failed = run("polygons, area sort", 0, by_area_sort, &cut);
+    print_message("# polygons, area sort: in %d faces cut through each other\n", cut);
+    assert_int_equal(failed, 0);
+}
+static void polygons_convex(void **state) {
+    (void)state;
+    assert_int_equal(run("polygons, convex", 1000000000, by_convex, NULL), 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(polygons_area), cmocka_unit_test(polygons_convex)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
