@@ -6,23 +6,24 @@
 
 #include "lang/words.h"
 
-static bool is_blank(char c) {
-    return c == ' ' || c == '\t';
-}
-
 const char *complete_table(const char *line, size_t start) {
     size_t from = start;
     while (from > 0 && line[from - 1] != ';' && line[from - 1] != '{') from--;
-    while (from < start && is_blank(line[from])) from++;
-    if (from == start) return words_command;
-    size_t word = from;
-    while (word < start && !is_blank(line[word])) word++;
-    for (size_t k = word; k < start; k++)
-        if (!is_blank(line[k])) return NULL; /* more than one word stands before it */
-    static const char *const takes_option[] = {"se$t", "uns$et", "sh$ow", "h$elp"};
-    for (size_t k = 0; k < sizeof takes_option / sizeof takes_option[0]; k++)
-        if (words_match(takes_option[k], line + from, word - from)) return words_set;
-    return NULL;
+    lexer_t lx;
+    lexer_start(&lx, line + from, start - from);
+    if (lx.tok.kind == TOKEN_END) return words_command;
+    const int command = words_find(words_command, &lx);
+    lexer_next(&lx);
+    if (command < 0 || lx.tok.kind != TOKEN_END) return NULL; /* more than one word stands before it */
+    switch (words_command_id[command]) {
+    case CMD_SET:
+    case CMD_UNSET:
+    case CMD_SHOW:
+    case CMD_HELP:
+        return words_set;
+    default:
+        return NULL;
+    }
 }
 
 char *complete_next(const char *table, const char *text, const char **at) {

@@ -177,6 +177,10 @@ static int draw_page(job_t *job, const plot_t *plot, char **name) {
     if (err) return err;
 
     job->pages++;
+    if (d->strokes == 0) {
+        progress_wipe();
+        fprintf(stderr, "ridgeline: page %d is empty: no part of a line is visible and on the paper\n", job->pages);
+    }
     if (!make_names(job, job->pages, name)) {
         fprintf(stderr, "ridgeline: page %d: the name of an output is too long\n", job->pages);
         return job->trouble = ERR_FILE;

@@ -61,10 +61,19 @@ static int run_scene(const options_t *o, FILE *scene, const char *name) {
         int bad = fflush(job.stats) != 0 || ferror(job.stats);
         if ((job.stats != stdout && fclose(job.stats) != 0) || bad) status = cannot(o->stats, SCRIPT_TROUBLE);
     }
+    if (!err && !job.pages && job.outputs && o->scene)
+        fprintf(stderr, "ridgeline: nothing was written; %s plots nothing\n", name);
     if (!err && job.pages && !job.outputs && !job.stats && !job.table && !job.gpio.pins)
         fprintf(stderr, "ridgeline: nothing was written; -o FILE says where a drawing goes\n");
     job_free(&job);
     return status;
+}
+
+/* What was printed may not have reached a full disk. */
+static int end(int status) {
+    if (fflush(stdout) == 0 && !ferror(stdout)) return status;
+    cannot("standard output", 0);
+    return status ? status : SCRIPT_TROUBLE;
 }
 
 static int plot_main(const options_t *o) {
@@ -103,13 +112,13 @@ int main(int argc, char **argv) {
     bool plot = argc > 1 && strcmp(argv[1], "plot") == 0;
     options_t options;
     if (!options_parse(&options, argc - plot, argv + plot)) return SCRIPT_BAD_INPUT;
-    if (options.help) {
+    if (options.help || (!plot && options.scene && strcmp(options.scene, "help") == 0)) {
         options_help();
-        return SCRIPT_DONE;
+        return end(SCRIPT_DONE);
     }
     if (options.version) {
         puts("ridgeline " RIDGELINE_VERSION);
-        return SCRIPT_DONE;
+        return end(SCRIPT_DONE);
     }
-    return plot ? plot_main(&options) : prompt_main(&options);
+    return end(plot ? plot_main(&options) : prompt_main(&options));
 }

@@ -51,12 +51,12 @@ static char **complete(const char *text, int start, int end) {
 static sigjmp_buf to_prompt;
 static volatile sig_atomic_t is_reading;
 
-/* Ctrl-C takes back the line that is being typed, as in a shell, and stops a drawing that takes too long; what cannot
- * be stopped, such as writing a file, or is asked a second time ends the program. libedit begins anew with its next
- * line, so leaving it half-way costs no more than that line's memory. */
+/* Ctrl-C takes back the line that is being typed, as in a shell, and stops a drawing that takes too long, a pause, or
+ * data being read. What cannot be stopped, such as writing a file, is gone through with; a second time ends the
+ * program. libedit begins anew with its next line, so leaving it half-way costs no more than that line's memory. */
 static void on_interrupt(int sig) {
     if (is_reading) siglongjmp(to_prompt, 1);
-    if (job_stop()) return; /* NOLINT(bugprone-signal-handler): it reads and writes sig_atomic_t only */
+    if (script_stop()) return; /* NOLINT(bugprone-signal-handler): it reads and writes sig_atomic_t only */
     signal(sig, SIG_DFL);
     raise(sig);
 }

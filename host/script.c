@@ -3,9 +3,12 @@
 
 #include <errno.h>
 #include <limits.h>
+#include <poll.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -33,7 +36,8 @@ static struct {
     bool waits;
     char folder[PATH_MAX]; /* of the scene, with its slash, or empty */
     FILE *file[FILES_MAX];
-    block_t *block; /* all of them */
+    off_t size[FILES_MAX], done[FILES_MAX]; /* of files: bytes; 0 if nobody knows */
+    block_t *block;                         /* all of them */
 } script;
 
 static void port_print(void *ctx, const char *text) {
@@ -47,6 +51,22 @@ static void port_warn(void *ctx, const char *text) {
     if (script.job->trouble) return; /* the job has said it already, and better */
     progress_wipe();
     fputs(text, stderr);
+}
+
+static volatile sig_atomic_t is_running, is_to_stop;
+
+bool script_stop(void) {
+    if (job_stop()) return true;
+    if (!is_running || is_to_stop) return false;
+    is_to_stop = 1;
+    return true;
+}
+
+/* The user knows what was stopped: nothing more is said. */
+static int stopped(void) {
+    progress_wipe();
+    fputc('\n', stderr);
+    return script.job->trouble = ERR_STOPPED;
 }
 
 static block_t *find_block(const char *name) {
@@ -99,14 +119,21 @@ static int port_open(void *ctx, const char *name) {
     if (solid_file_is(name)) f = solid_file_open(f, name);
     if (!f) return ERR_DATA;
     setvbuf(f, NULL, _IOFBF, 1 << 16);
+    struct stat about;
     script.file[handle] = f;
+    script.size[handle] = fileno(f) >= 0 && fstat(fileno(f), &about) == 0 && S_ISREG(about.st_mode) ? about.st_size : 0;
+    script.done[handle] = 0;
+    progress_begin();
     return handle;
 }
 
 static int port_read(void *ctx, int handle, char *buf, int size) {
     (void)ctx;
     FILE *f = script.file[handle];
+    if (is_to_stop) return stopped();
     size_t n = fread(buf, 1, (size_t)size, f);
+    script.done[handle] += (off_t)n;
+    if (script.size[handle]) progress_update("reading", script.done[handle], script.size[handle]);
     for (size_t k = 0; k < n; k++) { /* lines may end with CR alone */
         if (buf[k] != '\r') continue;
         const int next = k + 1 < n ? buf[k + 1] : fgetc(f);
@@ -118,6 +145,7 @@ static int port_read(void *ctx, int handle, char *buf, int size) {
 
 static void port_close(void *ctx, int handle) {
     (void)ctx;
+    progress_wipe();
     fclose(script.file[handle]);
     script.file[handle] = NULL;
 }
@@ -132,9 +160,12 @@ static int port_pause(void *ctx, const char *prompt, int32_t ms) {
     }
     if (ms >= 0) {
         struct timespec t = {.tv_sec = ms / 1000, .tv_nsec = ms % 1000 * 1000000L};
-        nanosleep(&t, NULL);
-        return 0;
+        while (!is_to_stop && nanosleep(&t, &t) != 0 && errno == EINTR) continue;
+        return is_to_stop ? stopped() : 0;
     }
+    struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
+    while (!is_to_stop && poll(&in, 1, -1) < 0 && errno == EINTR) continue;
+    if (is_to_stop) return stopped();
     int c;
     while ((c = getchar()) != EOF && c != '\n') continue;
     return 0;
@@ -143,6 +174,7 @@ static int port_pause(void *ctx, const char *prompt, int32_t ms) {
 static int port_plot(void *ctx, const plot_t *plot) {
     (void)ctx;
     const session_t *s = &script.session;
+    if (is_to_stop) return stopped();
     script.job->data_bytes = (s->pool.low + s->pool_size - s->pool.high) * sizeof(packed_t);
     return job_draw(script.job, plot);
 }
@@ -180,7 +212,11 @@ void script_source(const char *name) {
 }
 int script_line(const char *text) {
     script.job->trouble = 0;
-    return session_line(&script.session, text);
+    is_to_stop = 0;
+    is_running = 1;
+    const int err = session_line(&script.session, text);
+    is_running = 0;
+    return err;
 }
 void script_cancel(void) {
     session_cancel(&script.session);

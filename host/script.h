@@ -22,6 +22,9 @@ void script_source(const char *name);
 int script_line(const char *text);
 /* Forgets a line to be continued, and inline data. */
 void script_cancel(void);
+/* For a signal handler: the drawing, pause or reading of data that is under way ends, as does the line that asked for
+ * it. False if no line is being executed, or it has been asked for already. */
+bool script_stop(void);
 enum session_state script_state(void);
 /* What `set` has set so far. */
 const settings_t *script_settings(void);

@@ -100,8 +100,7 @@ static __attribute__((noinline)) int other_command(session_t *s, lexer_t *lx, in
 
 static int named_command(session_t *s, lexer_t *lx, int index) {
     const enum command_id id = words_command_id[index];
-    if (id == CMD_CONTROL || id == CMD_UNDEFINE || id == CMD_UNSUPPORTED || id == CMD_IGNORED)
-        return other_command(s, lx, index);
+    if (id >= CMD_CONTROL) return other_command(s, lx, index);
     const uint32_t from = lx->tok.start;
     lexer_next(lx);
     switch (id) {

@@ -18,8 +18,6 @@ int words_find(const char *table, const lexer_t *lx);
 bool words_match(const char *pattern, const char *text, size_t len);
 
 enum command_id {
-    CMD_CONTROL,
-    CMD_UNDEFINE,
     CMD_EXIT,
     CMD_HELP,
     CMD_LOAD,
@@ -32,6 +30,8 @@ enum command_id {
     CMD_SHOW,
     CMD_SPLOT,
     CMD_UNSET,
+    CMD_CONTROL, /* this and those that follow want their own word, not only what stands behind it */
+    CMD_UNDEFINE,
     CMD_IGNORED,     /* gnuplot's, without a meaning for a plotter: one warning, skipped */
     CMD_UNSUPPORTED, /* gnuplot's, and skipping it would change what follows: an error */
 };

@@ -232,6 +232,22 @@ data_blocks() {
     expect_text err 'column 1: the name of a data block expected'
 }
 
+an_empty_page_is_told() {
+    printf '0 0 NaN\n0 1 2\n\n1 0 3\n1 1 4\n' >holes.dat
+    echo 'splot "holes.dat"' | ridgeline plot - -o a.svg 2>err
+    expect_text err 'page 1 is empty'
+    echo 'print 1' | ridgeline plot - -o b.svg 2>err >out
+    expect_text err 'nothing was written; stdin plots nothing'
+    [ ! -e b.svg ]
+}
+
+what_cannot_be_printed_is_told() {
+    [ -e /dev/full ] || return 0
+    for words in --version help; do expect_status 1 ridgeline $words 2>err >/dev/full; done
+    echo 'print 1' | expect_status 1 ridgeline plot - 2>err >/dev/full
+    expect_text err 'standard output: No space left'
+}
+
 no_progress_off_a_terminal() {
     ridgeline plot "$scenes/smooth.gp" --set 'set isosamples 700' -o a.seg 2>err
     [ ! -s err ]
@@ -242,4 +258,4 @@ run_tests every_suffix_is_written a_scene_behind_the_eye_is_told data_that_is_no
     print_goes_to_stdout data_beside_the_scene_is_found inline_data an_error_shows_line_column_and_caret \
     bad_input_draws_nothing_and_says_2 a_known_but_ignored_option_is_warned_of_once bad_options_get_a_hint \
     what_is_not_the_inputs_fault_says_1 help_and_version pause_does_not_wait_without_a_terminal \
-    hidden_dem_runs_to_its_end data_blocks no_progress_off_a_terminal
+    hidden_dem_runs_to_its_end data_blocks an_empty_page_is_told what_cannot_be_printed_is_told no_progress_off_a_terminal

@@ -77,6 +77,27 @@ END
     [ -s plot.svg ]
 }
 
+ctrl_c_ends_a_pause() {
+    at_terminal "$RIDGELINE" >out <<'END'
+wait ridgeline> 
+type pause -1 "ready?"\n
+wait ready?
+type \003
+wait ridgeline> 
+type pause 1000 "soon"; print 1\n
+wait soon
+type \003
+wait ridgeline> 
+type pause -1 "go"; print 40+2\n
+wait go
+type \n
+wait \n42
+wait ridgeline> 
+type quit\n
+END
+    if grep -qx 1 out; then return 1; fi
+}
+
 # What was said of one line does not silence the next.
 trouble_with_a_file_is_over_with_the_next_line() {
     says 'splot x' 'splot x+*y' quit | at_terminal "$RIDGELINE" -o missing/a.svg >out
@@ -111,7 +132,7 @@ the_tab_key_knows_words() {
 
 if at_terminal true </dev/null >/dev/null 2>&1; then
     run_tests a_plot_at_the_prompt_becomes_plot_svg an_error_does_not_end_it outputs_can_be_chosen ctrl_c_takes_a_line_back \
-        ctrl_c_ends_a_plot_that_takes_too_long ctrl_c_stops_a_plot_at_the_prompt \
+        ctrl_c_ends_a_plot_that_takes_too_long ctrl_c_stops_a_plot_at_the_prompt ctrl_c_ends_a_pause \
         trouble_with_a_file_is_over_with_the_next_line the_end_of_input_ends_it history_is_kept the_tab_key_knows_words without_a_terminal_it_reads_a_script
 else
     echo "# the prompt itself is not tested: no pseudo-terminal can be had here"
