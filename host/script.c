@@ -75,8 +75,25 @@ static block_t *find_block(const char *name) {
     return b;
 }
 
+static void forget_blocks(const char *name, bool begins) {
+    for (block_t **at = &script.block; *at;) {
+        block_t *b = *at;
+        if (begins ? strncmp(b->name, name, strlen(name)) != 0 : strcmp(b->name, name) != 0) {
+            at = &b->next;
+            continue;
+        }
+        *at = b->next;
+        free(b->text);
+        free(b);
+    }
+}
+
 static int port_keep(void *ctx, const char *name, const char *text, size_t n) {
     (void)ctx;
+    if (!text && n > 0) {
+        forget_blocks(name, n == 2);
+        return 0;
+    }
     block_t *b = find_block(name);
     if (!b) {
         b = calloc(1, sizeof *b);
@@ -100,8 +117,12 @@ static int port_keep(void *ctx, const char *name, const char *text, size_t n) {
 
 static FILE *open_file(const char *name) {
     const block_t *b = name[0] == '$' ? find_block(name) : NULL;
-    if (b) return b->len ? fmemopen(b->text, b->len, "rb") : fopen("/dev/null", "rb");
-    return fopen(name, "rb");
+    if (!b) return fopen(name, "rb");
+    if (b->len == 0) return fopen("/dev/null", "rb");
+    FILE *copy = fmemopen(NULL, b->len + 1, "w+"); /* the block may change while it is read */
+    if (!copy) return NULL;
+    if (fwrite(b->text, 1, b->len, copy) == b->len) rewind(copy);
+    return copy;
 }
 
 static int port_open(void *ctx, const char *name) {

@@ -79,6 +79,17 @@
 #ifndef CONFIG_TEXTS
 #define CONFIG_TEXTS (CONFIG_NAME_MAX * 4)
 #endif
+/* Texts in quotes in compiled expressions, elements of arrays that are texts; results of one evaluation (bytes). */
+#ifndef CONFIG_LITERALS
+#define CONFIG_LITERALS (CONFIG_NAME_MAX * 8)
+#endif
+#ifndef CONFIG_TEXT_WORK
+#define CONFIG_TEXT_WORK (CONFIG_NAME_MAX * 4)
+#endif
+/* Elements of all arrays: 16 bytes each. */
+#ifndef CONFIG_CELLS
+#define CONFIG_CELLS CONFIG_STACK
+#endif
 #ifndef CONFIG_TURNS
 #define CONFIG_TURNS 1000000
 #endif

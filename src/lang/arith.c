@@ -1,5 +1,6 @@
 /* arith.c - see arith.h. Every rule here was checked against gnuplot 5.4 (tests/unit/test_expr.c has the cases). */
 #include "lang/arith.h"
+#include "lang/lexer.h"
 #include "num/func.h"
 #include "num/num_double.h"
 
@@ -162,7 +163,32 @@ static const char *real_binary(uint8_t op, value_t *a, value_t b) {
     return store(a, op == OP_DIV ? num_double_div(x, y) : num_double_add(x, y));
 }
 
+#if CONFIG_CONTROL
+const char *arith_number(value_t *a) {
+    if (a->kind != VALUE_TEXT) return NULL;
+    lexer_t lx;
+    lexer_start(&lx, value_chars(*a), (size_t)a->e);
+    const bool minus = lexer_accept(&lx, '-');
+    if (!minus) lexer_accept(&lx, '+');
+    const bool number = lx.tok.kind == TOKEN_NUMBER && lx.pos == lx.len;
+    *a = number ? lx.tok.value : value_undef();
+    if (!number) return "this text is not a number";
+    return minus ? arith_unary(OP_NEG, a) : NULL;
+}
+
+static const char *numbers(value_t *a, value_t *b) {
+    const char *fault = arith_number(a);
+    return fault ? fault : arith_number(b);
+}
+#endif
+
 const char *arith_binary(uint8_t op, value_t *a, value_t b) {
+#if CONFIG_CONTROL
+    if ((a->kind | b.kind) & VALUE_TEXT) {
+        const char *fault = numbers(a, &b);
+        if (fault) return fault;
+    }
+#endif
     if (a->kind == VALUE_INT && b.kind == VALUE_INT)
         return op == OP_POW ? integer_power(a, b.m) : integer_binary(op, a, b.m);
     switch (op) {
@@ -200,6 +226,8 @@ static const char *factorial(value_t *a) {
 
 const char *arith_unary(uint8_t op, value_t *a) {
     bool truth;
+    const char *text = arith_number(a);
+    if (text) return text;
     switch (op) {
     case OP_NEG:
         if (a->kind == VALUE_INT)
@@ -224,6 +252,8 @@ const char *arith_unary(uint8_t op, value_t *a) {
 }
 
 const char *arith_power(value_t *a, int32_t k) {
+    const char *text = arith_number(a);
+    if (text) return text;
     if (a->kind == VALUE_INT) return integer_power(a, k);
     if (a->kind == VALUE_UNDEF) {
         if (k == 0) *a = value_real(num_from_i64(1)); /* NaN**0 is 1 in C and so in gnuplot */

@@ -6,12 +6,21 @@
 #ifndef ARITH_H
 #define ARITH_H
 
+#include "config.h"
 #include "lang/code.h"
 
 /* What a function below returns instead of NULL when operands that are defined have no result, as 1/0. Any other text
  * names a mistake. */
 extern const char ARITH_UNDEFINED[];
 
+#if CONFIG_CONTROL
+/* A text becomes the number that it is; other values stay. */
+const char *arith_number(value_t *a);
+#else
+static inline const char *arith_number(value_t *a) {
+    return (void)a, NULL;
+}
+#endif
 /* *a = *a op b; op is OP_ADD .. OP_BOR. Returns NULL, ARITH_UNDEFINED, or what is wrong with an operand. */
 const char *arith_binary(uint8_t op, value_t *a, value_t b);
 /* *a = op *a; op is OP_NEG .. OP_SQUARE. */

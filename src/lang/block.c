@@ -32,6 +32,45 @@ int block_command(session_t *s, lexer_t *lx) {
     return err;
 }
 
+/* set print $name: what is printed goes there, from an empty block on; set print: to where it always does. */
+int block_print(session_t *s, lexer_t *lx) {
+    const lexer_t at = *lx;
+    char name[sizeof s->print_to] = "";
+    int err = lx->tok.kind == '$' ? block_name(s, lx, name, sizeof name) : 0;
+    if (!err) err = session_expect_end(s, lx);
+    if (!err && name[0] && !s->port->keep)
+        err = session_fail(s, &at, ERR_UNSUPPORTED, "there is no place for data blocks here");
+    if (!err && name[0]) err = s->port->keep(s->port->ctx, name, NULL, 0);
+    if (!err) memcpy(s->print_to, name, sizeof name);
+    return err;
+}
+
+/* set palette file '-': rows follow, up to `e`, and are nobody's. */
+void block_of_palette(session_t *s, lexer_t lx) {
+    bool rows = false;
+    for (; !session_at_end(&lx); lexer_next(&lx))
+        rows |= lx.tok.kind == TOKEN_STRING && lx.tok.len == 3 && lexer_text(&lx)[1] == '-';
+    if (!rows || !s->port->keep) return;
+    memcpy(s->block, "$-", 3);
+    memcpy(s->block_end, "e", 2);
+    s->in_block = s->port->keep(s->port->ctx, s->block, NULL, 0) == 0;
+}
+
+/* evaluate text: the text is executed as a file would be. */
+int block_evaluate(session_t *s, lexer_t *lx) {
+    static const char name[] = "$ evaluated";
+    const session_port_t *port = s->port;
+    const lexer_t at = *lx;
+    char *text = s->frame_name[0]; /* lent: no data file is open now */
+    int err = session_string(s, lx, text, CONFIG_NAME_MAX + 1, "a text in quotes expected");
+    if (!err) err = session_expect_end(s, lx);
+    if (err) return err;
+    if (!port->keep) return session_fail(s, &at, ERR_UNSUPPORTED, "there is no place for data blocks here");
+    err = port->keep(port->ctx, name, NULL, 0);
+    if (!err) err = port->keep(port->ctx, name, text, strlen(text));
+    return err ? err : session_load(s, name, &at);
+}
+
 int block_line(session_t *s, const char *text, size_t n) {
     const session_port_t *port = s->port;
     if (n > 0 && text[n - 1] == '\r') n--;

@@ -1,6 +1,7 @@
 /* builtins.c - the table of functions, and those that care for the kind of their arguments. */
 #include "lang/builtins.h"
 #include "lang/arith.h"
+#include "lang/text_funcs.h"
 #include "num/func.h"
 #include "num/noise.h"
 #include "num/num_double.h"
@@ -13,24 +14,28 @@ static const char *give(value_t *out, num_t r) {
 
 static const char *fn_abs(lang_t *l, value_t *a, int n) {
     (void)l, (void)n;
-    return a->m < 0 ? arith_unary(OP_NEG, a) : NULL;
+    const char *fault = arith_number(a);
+    return !fault && a->m < 0 ? arith_unary(OP_NEG, a) : fault;
 }
 
 static const char *fn_real(lang_t *l, value_t *a, int n) {
     (void)l, (void)n;
+    const char *fault = arith_number(a);
     if (a->kind == VALUE_INT) *a = value_real(value_num(*a));
-    return NULL;
+    return fault;
 }
 
 static const char *fn_sgn(lang_t *l, value_t *a, int n) {
     (void)l, (void)n;
+    const char *fault = arith_number(a);
     *a = value_int((a->m > 0) - (a->m < 0));
-    return NULL;
+    return fault;
 }
 
 static const char *whole(value_t *a, num_t (*round)(num_t)) {
+    const char *fault = arith_number(a);
     if (a->kind == VALUE_REAL) *a = arith_whole(round(value_num(*a)));
-    return NULL;
+    return fault;
 }
 
 static const char *fn_int(lang_t *l, value_t *a, int n) {
@@ -60,6 +65,10 @@ static const char *fn_atan2(lang_t *l, value_t *a, int n) {
 
 /* The smallest argument if sign is -1, the largest if it is 1; NaN if there is one. */
 static const char *extreme(value_t *a, int n, int sign) {
+    for (int i = 0; i < n; i++) {
+        const char *fault = arith_number(&a[i]);
+        if (fault) return fault;
+    }
     value_t best = a[0];
     for (int i = 1; i < n && best.kind != VALUE_UNDEF; i++) {
         bool better;
@@ -112,7 +121,20 @@ static const char *fn_column(lang_t *l, value_t *a, int n) {
     return a->kind == VALUE_UNDEF ? ARITH_UNDEFINED : NULL;
 }
 
+/* Not the same for the same arguments, as far as the compiler can know. */
+#define TEXTS (BUILTIN_IMPURE | BUILTIN_TEXTS)
+#define TEXT (TEXTS | BUILTIN_TEXT)
+
 const builtin_t BUILTINS[] = {
+#if CONFIG_CONTROL
+    {BUILTIN_IS_TEXT, 1, 1, TEXT, NULL, text_literal},
+    {BUILTIN_IS_CONCAT, 2, 2, TEXT, NULL, text_concat},
+    {BUILTIN_IS_EQ, 2, 2, TEXTS, NULL, text_eq},
+    {BUILTIN_IS_NE, 2, 2, TEXTS, NULL, text_ne},
+    {BUILTIN_IS_SLICE, 3, 3, TEXT, NULL, text_slice},
+    {BUILTIN_IS_ELEMENT, 2, 2, TEXTS, NULL, array_element},
+    {BUILTIN_IS_SIZE, 1, 1, TEXTS, NULL, array_size},
+#endif
     {"abs", 1, 1, 0, NULL, fn_abs},
     {"acos", 1, 1, BUILTIN_ARC, func_acos, NULL},
     {"asin", 1, 1, BUILTIN_ARC, func_asin, NULL},
@@ -122,12 +144,18 @@ const builtin_t BUILTINS[] = {
     {"besj1", 1, 1, 0, func_besj1, NULL},
     {"ceil", 1, 1, 0, NULL, fn_ceil},
     {"column", 1, 1, BUILTIN_IMPURE | BUILTIN_COLUMNS, NULL, fn_column},
+#if CONFIG_CONTROL
+    {"columnhead", 0, 1, TEXT | BUILTIN_COLUMNS, NULL, text_of_column},
+#endif
     {"cos", 1, 1, BUILTIN_ANGLE, func_cos, NULL},
     {"cosh", 1, 1, 0, func_cosh, NULL},
     {"erf", 1, 1, 0, func_erf, NULL},
     {"exp", 1, 1, 0, func_exp, NULL},
     {"floor", 1, 1, 0, NULL, fn_floor},
     {"gamma", 1, 1, 0, func_gamma, NULL},
+#if CONFIG_CONTROL
+    {"gprintf", 2, 2, TEXT, NULL, text_sprintf},
+#endif
     {"int", 1, 1, 0, NULL, fn_int},
     {"invnorm", 1, 1, 0, func_invnorm, NULL},
     {"log", 1, 1, 0, func_log, NULL},
@@ -140,9 +168,23 @@ const builtin_t BUILTINS[] = {
     {"sgn", 1, 1, 0, NULL, fn_sgn},
     {"sin", 1, 1, BUILTIN_ANGLE, func_sin, NULL},
     {"sinh", 1, 1, 0, func_sinh, NULL},
+#if CONFIG_CONTROL
+    {"sprintf", 1, 8, TEXT, NULL, text_sprintf},
+#endif
     {"sqrt", 1, 1, 0, num_double_sqrt, NULL},
+#if CONFIG_CONTROL
+    {"strcol", 1, 1, TEXT | BUILTIN_COLUMNS, NULL, text_of_column},
+    {"stringcolumn", 1, 1, TEXT | BUILTIN_COLUMNS, NULL, text_of_column},
+    {"strlen", 1, 1, TEXTS, NULL, text_strlen},
+    {"strstrt", 2, 2, TEXTS, NULL, text_strstrt},
+    {"substr", 3, 3, TEXT, NULL, text_slice},
+#endif
     {"tan", 1, 1, BUILTIN_ANGLE, func_tan, NULL},
     {"tanh", 1, 1, 0, func_tanh, NULL},
+#if CONFIG_CONTROL
+    {"word", 2, 2, TEXT, NULL, text_word},
+    {"words", 1, 1, TEXTS, NULL, text_words},
+#endif
 };
 
 int builtins_find(const char *name, size_t len) {

@@ -10,10 +10,12 @@ enum builtin_flags {
     BUILTIN_OURS = 4,    /* gnuplot has none: a user's function of that name comes first */
     BUILTIN_ANGLE = 8,   /* takes an angle, in degrees if so set */
     BUILTIN_ARC = 16,    /* gives one */
+    BUILTIN_TEXTS = 32,  /* has to do with texts or arrays; CONFIG_CONTROL, as the next */
+    BUILTIN_TEXT = 64,   /* gives a text */
 };
 
 typedef struct builtin {
-    char name[8];
+    char name[CONFIG_CONTROL ? 14 : 8];
     uint8_t min_args, max_args, flags;
     /* Exactly one of the two: a function of one real number, or of n values, args[0] being replaced by the result.
      * The second returns what arith_binary does. */
@@ -21,7 +23,7 @@ typedef struct builtin {
     const char *(*any)(lang_t *l, value_t *args, int n);
 } builtin_t;
 
-/* In alphabetical order; compiled code holds the index. */
+/* In alphabetical order; compiled code holds the index. Those that begin with a blank are operators. */
 extern const builtin_t BUILTINS[];
 /* The index of a function, or -1. */
 int builtins_find(const char *name, size_t len);

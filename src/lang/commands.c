@@ -1,27 +1,51 @@
 /* commands.c - which command a line holds; the small ones are carried out here. */
 #include "lang/session_parts.h"
 
+/* What is printed, which `set print` may send to a data block. */
+void session_say(session_t *s, const char *text) {
+#if CONFIG_LOAD_DEPTH
+    if (s->print_to[0]) {
+        s->port->keep(s->port->ctx, s->print_to, text, strlen(text));
+        return;
+    }
+#endif
+    s->port->print(s->port->ctx, text);
+}
+
 /* print a, "text", b: one line, a blank between values. Values go out as they are computed, so a line has no limit. */
 static int print_command(session_t *s, lexer_t *lx) {
-    const session_port_t *port = s->port;
     bool first = true;
     int err = 0;
     do {
-        char number[VALUE_TEXT_MAX], *text = number;
-        if (session_is_text(s, lx)) {
+        char number[VALUE_TEXT_MAX];
+        const char *text = number;
+#if CONFIG_CONTROL
+        if (array_is_whole(s, lx)) {
+            if (!first) session_say(s, " ");
+            array_print(s, lx);
+            first = false;
+            continue;
+        }
+#else
+        if (lx->tok.kind == TOKEN_STRING) {
             text = s->frame_name[0]; /* lent: no data file is open now */
-            err = session_string(s, lx, text, CONFIG_NAME_MAX + 1, "");
-        } else {
+            err = session_string(s, lx, s->frame_name[0], CONFIG_NAME_MAX + 1, "");
+        } else
+#endif
+        {
             value_t v;
             err = expr_value(&s->lang, lx, &v, &s->error);
-            if (!err) value_format(v, number);
+            if (!err && v.kind == VALUE_TEXT)
+                text = value_chars(v);
+            else if (!err)
+                value_format(v, number);
         }
         if (err) break;
-        if (!first) port->print(port->ctx, " ");
-        port->print(port->ctx, text);
+        if (!first) session_say(s, " ");
+        session_say(s, text);
         first = false;
     } while (lexer_accept(lx, ','));
-    if (!first) port->print(port->ctx, "\n");
+    if (!first) session_say(s, "\n");
     return err ? err : session_expect_end(s, lx);
 }
 
@@ -87,6 +111,12 @@ static __attribute__((noinline)) int other_command(session_t *s, lexer_t *lx, in
         return control_command(s, lx, &word);
     case CMD_UNDEFINE:
         return undefine_command(s, lx);
+    case CMD_ARRAY:
+        return array_command(s, lx);
+#if CONFIG_LOAD_DEPTH
+    case CMD_EVALUATE:
+        return block_evaluate(s, lx);
+#endif
 #endif
     case CMD_UNSUPPORTED:
         return lang_error_set_name(&s->error, ERR_UNSUPPORTED, lexer_column(&word), "a command of gnuplot's only",
@@ -140,8 +170,8 @@ int command_execute(session_t *s, lexer_t *lx) {
     if (lx->tok.kind == '$') return block_command(s, lx);
 #endif
 #if CONFIG_CONTROL
-    int text = session_define_text(s, lx);
-    if (text) return text < 0 ? text : session_expect_end(s, lx);
+    int assigned = array_assign(s, lx);
+    if (assigned) return assigned < 0 ? assigned : session_expect_end(s, lx);
 #endif
     int defined = expr_define(&s->lang, lx, &s->error);
     if (defined < 0) return defined;

@@ -15,9 +15,9 @@ static const struct {
     int16_t token;
     uint8_t precedence;
 } BINARY[] = {
-    {'+', 10},      {'-', 10},      {'*', 11}, {'/', 11},     {'%', 11}, {TOKEN_POWER, POWER},
-    {TOKEN_SHL, 9}, {TOKEN_SHR, 9}, {'<', 8},  {TOKEN_LE, 8}, {'>', 8},  {TOKEN_GE, 8},
-    {TOKEN_EQ, 7},  {TOKEN_NE, 7},  {'&', 6},  {'^', 5},      {'|', 4},
+    {'+', SUM},        {'-', SUM},        {'*', 11}, {'/', 11},     {'%', 11}, {TOKEN_POWER, POWER},
+    {TOKEN_SHL, 9},    {TOKEN_SHR, 9},    {'<', 8},  {TOKEN_LE, 8}, {'>', 8},  {TOKEN_GE, 8},
+    {TOKEN_EQ, EQUAL}, {TOKEN_NE, EQUAL}, {'&', 6},  {'^', 5},      {'|', 4},
 };
 _Static_assert(sizeof BINARY / sizeof BINARY[0] == OP_BOR - OP_ADD + 1, "one entry for each operation");
 
@@ -37,6 +37,8 @@ static int precedence(const pending_t *p) {
         return PREFIX;
     case P_LOGIC:
         return p->a;
+    case P_TEXT:
+        return p->at;
     case P_SET:
     case P_ELSE:
         return LOOSE;
@@ -60,6 +62,12 @@ static void reduce_one(compiler_t *c) {
         emit_patch(e, p.at);
         emit_operated(e, 2, false, false);
         break;
+#if CONFIG_CONTROL
+    case P_TEXT:
+        emit_byte3(e, OP_FUNC, p.a, 2);
+        emit_operated(e, 2, false, false);
+        break;
+#endif
     case P_SET:
         emit_byte2(e, OP_SET, p.a);
         emit_operated(e, 1, false, false);
@@ -75,6 +83,12 @@ static void reduce_one(compiler_t *c) {
 static void reduce(compiler_t *c, int limit) {
     while (c->pending && precedence(&c->stack[c->pending - 1]) >= limit) reduce_one(c);
 }
+
+#if CONFIG_CONTROL
+void compile_reduce(compiler_t *c, int limit) {
+    reduce(c, limit);
+}
+#endif
 
 int compile_open(compiler_t *c, int kind, int a, uint16_t at) {
     if (c->pending == CONFIG_NESTING)
@@ -119,6 +133,23 @@ static int close_call(compiler_t *c, pending_t p) {
     return 0;
 }
 
+#if CONFIG_CONTROL
+/* Is it one that a bracket ) closes? */
+static bool is_round(const pending_t *in) {
+    return in && in->kind != P_THEN && in->kind < P_ELEMENT;
+}
+
+/* What would close it. */
+static const char *missing(const pending_t *in) {
+    if (in->kind == P_THEN) return "expecting ':'";
+    if (is_round(in)) return "')' expected";
+    return in->kind == P_SLICE && in->at == 0 ? "':' expected: no array is called so" : "']' expected";
+}
+#else
+#define is_round(in) ((in) && (in)->kind != P_THEN)
+#define missing(in) ((in)->kind == P_THEN ? "expecting ':'" : "')' expected")
+#endif
+
 /* Takes one token behind an operand. Returns 0 when an operand is expected next, 1 when not, 2 when the token does not
  * belong to the expression, or an error. */
 static int behind_operand(compiler_t *c) {
@@ -127,6 +158,11 @@ static int behind_operand(compiler_t *c) {
     pending_t *in = innermost(c);
     int b = binary_of(token);
     int r = 0;
+#if CONFIG_CONTROL
+    r = compile_behind(c, in);
+    if (r != -1) return r;
+    r = 0;
+#endif
     if (b >= 0) {
         reduce(c, BINARY[b].precedence + (token == TOKEN_POWER)); /* ** groups to the right */
         r = compile_open(c, P_BINARY, OP_ADD + b, 0);
@@ -146,7 +182,7 @@ static int behind_operand(compiler_t *c) {
         emit_patch(&c->e, in->at);
         *in = (pending_t){P_ELSE, 0, over};
         c->e.depth--;
-    } else if (token == ',' && in && in->kind != P_THEN) {
+    } else if (token == ',' && is_round(in)) {
         reduce(c, LOOSE);
         if (in->kind == P_GROUP) {
             if (in->at) emit_operated(&c->e, 2, false, false);
@@ -155,7 +191,7 @@ static int behind_operand(compiler_t *c) {
         } else if (++in->at > EXPR_PARAMS) {
             return lang_error_set_number(c->err, ERR_FULL, lexer_column(lx), "too many arguments", EXPR_PARAMS);
         }
-    } else if (token == ')' && in && in->kind != P_THEN) {
+    } else if (token == ')' && is_round(in)) {
         reduce(c, LOOSE);
         pending_t p = c->stack[--c->pending];
         if (p.kind != P_GROUP)
@@ -164,7 +200,7 @@ static int behind_operand(compiler_t *c) {
             emit_operated(&c->e, 2, false, false);
         if (r == 0) r = 1;
     } else if (in) {
-        return lexer_unexpected(lx, c->err, in->kind == P_THEN ? "expecting ':'" : "')' expected");
+        return lexer_unexpected(lx, c->err, missing(in));
     } else {
         return 2;
     }
@@ -174,14 +210,17 @@ static int behind_operand(compiler_t *c) {
 
 #if CONFIG_CONTROL
 /* Functions that are called may look at the variables of `for`: (i = 3, f(x)) in place of f(x). */
-static void set_iterated(emit_t *e) {
+static int set_iterated(compiler_t *c) {
+    emit_t *e = &c->e;
     for (int i = 0; i < e->l->iterations; i++) {
-        emit_constant(e, e->l->symbol[e->l->iterated[i]].u.value);
+        const int err = compile_iterated(c, e->l->iterated[i]);
+        if (err < 0) return err;
         emit_byte2(e, OP_SET, e->l->iterated[i]);
         emit_byte(e, OP_POP);
         emit_operated(e, 1, false, false);
         e->depth--;
     }
+    return 0;
 }
 #endif
 
@@ -238,8 +277,8 @@ int expr_compile(lang_t *l, lexer_t *lx, const expr_params_t *params, uint8_t *b
     if (r == 0 && c.calls && l->iterations > 0) {
         *lx = start;
         begin(&c, l, lx, params, buf, size, err);
-        set_iterated(&c.e);
-        r = compile(&c);
+        r = set_iterated(&c);
+        if (r == 0) r = compile(&c);
     }
 #endif
     if (r < 0) {

@@ -1,6 +1,7 @@
 /* compile_operand.c - what may stand where an operand is expected: numbers, names, calls, brackets, signs. */
 #include "lang/builtins.h"
 #include "lang/compile.h"
+#include "lang/words.h"
 
 static int parameter(const compiler_t *c, const char *name, uint32_t len) {
     for (int i = c->params ? c->params->count - 1 : -1; i >= 0; i--) {
@@ -24,17 +25,13 @@ static int call(compiler_t *c, const char *name, uint32_t len, int32_t column) {
     return s < 0 ? s : compile_open(c, P_USER, s, 1);
 }
 
-static bool is_iterated(const lang_t *l, int symbol) {
 #if CONFIG_CONTROL
+static bool is_iterated(const lang_t *l, int symbol) {
     for (int i = 0; i < l->iterations; i++)
         if (l->iterated[i] == symbol) return true;
-#else
-    (void)l, (void)symbol;
-#endif
     return false;
 }
 
-#if CONFIG_CONTROL
 /* exists("name"), behind its bracket: known now. */
 static int exists(compiler_t *c) {
     lexer_t *lx = c->lx;
@@ -42,8 +39,10 @@ static int exists(compiler_t *c) {
     const char *text = lexer_text(lx) + 1;
     if (lx->tok.kind != TOKEN_STRING) return lexer_unexpected(lx, c->err, "the name of a variable in quotes expected");
     const size_t len = lx->tok.len - 2;
-    const int s = names_find(l, SYMBOL_VARIABLE, text, len);
-    emit_constant(&c->e, value_int((s >= 0 && l->symbol[s].defined) || (l->texts && texts_get(l->texts, text, len))));
+    const int s = names_find(l, SYMBOL_VARIABLE, text, len), a = names_find(l, SYMBOL_ARRAY, text, len);
+    const bool there = (s >= 0 && l->symbol[s].defined) || (a >= 0 && l->symbol[a].defined) ||
+                       (l->texts && texts_get(l->texts, text, len));
+    emit_constant(&c->e, value_int(there));
     lexer_next(lx);
     return lexer_accept(lx, ')') ? 1 : lexer_unexpected(lx, c->err, "')' expected");
 }
@@ -57,7 +56,7 @@ static int name(compiler_t *c) {
     int32_t column = lexer_column(lx);
     lexer_next(lx);
 #if CONFIG_CONTROL
-    if (lx->tok.kind == '(' && len == 6 && memcmp(text, "exists", 6) == 0) {
+    if (lx->tok.kind == '(' && words_match("exist$s", text, len)) {
         lexer_next(lx);
         return exists(c);
     }
@@ -87,10 +86,9 @@ static int name(compiler_t *c) {
         lexer_next(lx);
         return compile_open(c, P_SET, s, 0);
     }
-    if (is_iterated(c->e.l, s)) {
-        emit_constant(&c->e, c->e.l->symbol[s].u.value);
-        return 1;
-    }
+#if CONFIG_CONTROL
+    if (is_iterated(c->e.l, s)) return compile_iterated(c, s);
+#endif
     emit_byte2(&c->e, OP_VAR, s);
     emit_pushed(&c->e, start, false);
     return 1;
@@ -113,6 +111,9 @@ static int dollar(compiler_t *c) {
 int compile_operand(compiler_t *c) {
     lexer_t *lx = c->lx;
     int prefix = 0, r;
+#if CONFIG_CONTROL
+    if (compile_is_text(c)) return compile_text(c);
+#endif
     switch (lx->tok.kind) {
     case TOKEN_NUMBER:
         if (lx->tok.value.kind == VALUE_UNDEF)
@@ -140,8 +141,10 @@ int compile_operand(compiler_t *c) {
     case '~':
         prefix = OP_BNOT;
         break;
+#if !CONFIG_CONTROL
     case TOKEN_STRING:
         return lang_error_set(c->err, ERR_UNSUPPORTED, lexer_column(lx), "strings cannot be computed with");
+#endif
     default:
         return lexer_unexpected(lx, c->err, "invalid expression");
     }

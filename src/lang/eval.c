@@ -93,6 +93,10 @@ int expr_run(lang_t *l, const expr_t *x, value_t *out) {
     int calls = 0, sign;
     int32_t work = 0;
     bool truth;
+#if CONFIG_CONTROL
+    value_t text;
+    if (l->texts) l->texts->working = 0;
+#endif
     for (;;) {
         uint8_t op = *pc++;
     again:
@@ -110,18 +114,25 @@ int expr_run(lang_t *l, const expr_t *x, value_t *out) {
             break;
         case OP_VAR: {
             const symbol_t *s = &l->symbol[*pc];
-            if (NUM_FAST_RARE(!s->defined)) return fail(l, out, ERR_NAME, "undefined variable", *pc);
+            const value_t *v = &s->u.value;
+            if (NUM_FAST_RARE(!s->defined)) {
+#if CONFIG_CONTROL
+                if (names_value(l, *pc, &text))
+                    v = &text;
+                else
+#endif
+                    return fail(l, out, ERR_NAME, "undefined variable", *pc);
+            }
             SPILL();
-            TAKE(&s->u.value);
+            TAKE(v);
             pc++;
             break;
         }
-        case OP_SET: {
-            symbol_t *s = &l->symbol[*pc++];
-            s->defined = true;
-            s->u.value = TOP_VALUE;
+        case OP_SET: /* of a number it is always done */
+            if (!names_assign(l, *pc, TOP_VALUE) && CONFIG_CONTROL)
+                return fail(l, out, ERR_FULL, "no memory for the text", *pc);
+            pc++;
             break;
-        }
         case OP_INT8:
             SPILL();
             TAKE_INT(code_int8(pc));
@@ -245,6 +256,14 @@ int expr_run(lang_t *l, const expr_t *x, value_t *out) {
         case OP_REAL1: {
             const builtin_t *f = &BUILTINS[*pc++];
             if (NUM_FAST_RARE(kind == VALUE_UNDEF)) break;
+#if CONFIG_CONTROL
+            if (NUM_FAST_RARE(kind == VALUE_TEXT)) {
+                text = TOP_VALUE;
+                fault = arith_number(&text);
+                if (fault) goto failed;
+                TAKE(&text);
+            }
+#endif
             const num_t r = f->real1(NUM_FAST_RARE(kind == VALUE_INT) ? value_num(TOP_VALUE) : TOP_REAL);
             TAKE_REAL(num_double((num_t){r.m, r.e, r.undef})); /* as it is, it would be copied as a whole */
             break;

@@ -34,6 +34,7 @@ uint8_t eval_row_width(const uint8_t *code) {
     int kept = code[0] == OP_FRAME ? code[1] : 0, depth = 0, most = 1;
     const uint8_t *p = code + (kept ? 2 : 0);
     for (; *p != OP_RET; p += 1 + code_operands(*p)) {
+        if (*p == OP_FUNC && (BUILTINS[p[1]].flags & BUILTIN_TEXTS)) return 0;
         if (*p == OP_FUNC && p[2] <= ARGS)
             depth += 1 - p[2];
         else if (is_binary(*p))

@@ -1,5 +1,6 @@
 /* expr.c - what commands do with expressions: definitions, numbers, and the report of what went wrong. */
 #include "lang/expr.h"
+#include "lang/arith.h"
 #include "lang/builtins.h"
 #include "lang/code.h"
 
@@ -80,8 +81,10 @@ int expr_number(lang_t *l, lexer_t *lx, num_t *out, lang_error_t *err) {
     int32_t column = lexer_column(lx);
     value_t v;
     int r = expr_value(l, lx, &v, err);
+    const char *fault = arith_number(&v);
     *out = value_num(v);
     if (r < 0) return r;
+    if (fault) return lang_error_set(err, ERR_VALUE, column, fault);
     return v.kind == VALUE_UNDEF ? lang_error_set(err, ERR_VALUE, column, "undefined value") : 0;
 }
 
@@ -155,8 +158,12 @@ int expr_define(lang_t *l, lexer_t *lx, lang_error_t *err) {
     if (!lexer_accept(&after, '=')) return 0;
     value_t v;
     int r = expr_value(l, &after, &v, err);
-    if (r == 0) r = names_set(l, name, len, v, err);
     if (r < 0) return r;
+    r = names_set(l, name, len, v, err);
+    if (r < 0) {
+        if (CONFIG_CONTROL) err->column = lexer_column(lx);
+        return r;
+    }
     *lx = after;
     return 1;
 }

@@ -1,6 +1,7 @@
 /* help.c - short texts about the language, one per topic; on a board they lie in flash, where it is small packed by
  * firmware/tools/pack_help.c, which reads this file. A board's are about what it can do: it has no files. */
 #ifndef HELP_TEXTS_ONLY
+#include "lang/builtins.h"
 #include "lang/session_parts.h"
 #else
 #include "config.h"
@@ -80,7 +81,11 @@ static const struct {
     {"uns$et", "unset OPTION: back to its default; unset hidden3d draws every line.\n"},
     {"sh$ow", "show OPTION, show all, show variables, show functions, show plot\n"},
     {"res$et", "reset: all options to their defaults. Variables and functions stay; reset session forgets them too.\n"},
-    {"pr$int", "print VALUE, 'text', ...: one line.\n"},
+    {"pr$int", "print VALUE, 'text', ...: one line.\n"
+#if FILES
+               "set print $name: what is printed goes into this data block. unset print\n"
+#endif
+    },
 #if FILES
     {"l$oad", "load 'file': execute its lines.\n"},
 #else
@@ -172,6 +177,9 @@ static const struct {
      "solenoid: s of full power, then percent. Limits stop the machine, serve homing only, or are off.\n"},
     {"du$mmy", "set dummy U,V: the variables of expressions in plots are called U and V.\n"},
     {"dataf$ile", "set datafile separator whitespace|comma|tab|'c'. At first both blanks and commas separate.\n"},
+#if FILES
+    {"an$gles", "set angles degrees|radians: what sin, asin and the like take and give from then on.\n"},
+#endif
     {"au$toscale", "set autoscale [x|y|z|xy...]: these ranges follow the data again.\n"},
     {"data",
 #if FILES
@@ -213,9 +221,16 @@ static const struct {
 #if CONFIG_CONTROL
     {"te$xts",
      "file = 'a.dat'    splot file title \"n = \".n    set title sprintf(\"%03d, %g\", i, x)    exists(\"file\")\n"
-     "Texts, variables that hold them, numbers and sprintf with dots between them, wherever a text is expected.\n"},
+     "a . b joins texts and numbers, a eq b and a ne b compare texts, a[2:5] is a part of one; strlen, strstrt,\n"
+     "substr, word, words, sprintf are functions of them; what is a number counts as one: '3' + 4.\n"},
+    {"array", "array A[5]    array A = [1, 'two', 3.5]    A[2] = x    A[i] + |A|    print A\n"},
     {"loops", "do for [i=1:9:2] {...}    while (c) {...}    break    continue    if (c) {...} else {...}\n"
-              "splot for [i=1:3] i*x*y: one element for each value of i. Blocks may go over many lines.\n"},
+              "do for [w in 'one two three'] {...}\n"
+              "splot for [i=1:3] i*x*y: one element for each value of i; [i=0:*]: as long as index i has data.\n"
+              "Blocks may go over many lines.\n"},
+#if FILES
+    {"eval$uate", "evaluate TEXT: executes it.\n"},
+#endif
 #endif
     {"fu$nctions",
      "abs acos asin atan atan2 besj0 besj1 ceil cos cosh erf exp floor gamma int invnorm log log10 max min norm\n"
@@ -269,6 +284,18 @@ static void tell_topic(const session_port_t *port, size_t topic) {
 }
 #endif
 
+#if CONFIG_CONTROL
+/* Where a word that has no topic of its own is explained, or what is to be said of it. */
+static const char *elsewhere(const lexer_t *lx) {
+    const int command = words_find(words_command, lx), option = words_find(words_set, lx);
+    if (builtins_find(lexer_text(lx), lx->tok.len) >= 0) return "help functions, help texts\n";
+    if (command >= 0 && words_command_id[command] == CMD_CONTROL) return "help loops\n";
+    if (command >= 0 && words_command_id[command] == CMD_UNSUPPORTED) return "a command of gnuplot's only\n";
+    if (command >= 0 || option >= 0) return "gnuplot has it; here it is ignored\n";
+    return NULL;
+}
+#endif
+
 int help_command(session_t *s, lexer_t *lx) {
     lexer_t last = *lx; /* help set view is about view */
     size_t topic = 0;
@@ -284,6 +311,13 @@ int help_command(session_t *s, lexer_t *lx) {
         tell_topic(s->port, topic);
         return 0;
     }
+#if CONFIG_CONTROL
+    const char *see = elsewhere(&last);
+    if (see) {
+        s->port->print(s->port->ctx, see);
+        return 0;
+    }
+#endif
     return lang_error_set_name(&s->error, ERR_NAME, lexer_column(&last), "no help for", lexer_text(&last),
                                last.tok.len);
 }

@@ -14,6 +14,7 @@ void names_reset(lang_t *l) {
     l->degrees = false;
 #if CONFIG_CONTROL
     l->iterations = 0;
+    l->cells = 0;
     l->texts = NULL;
 #endif
     /* The largest part is left as it is: pool and stack are never read before they are written. */
@@ -52,12 +53,75 @@ int names_intern(lang_t *l, enum symbol_kind kind, const char *name, size_t len,
     return l->symbols++;
 }
 
+/* A variable that holds a text is an undefined symbol whose name is among the texts: what only knows numbers need not
+ * ask. */
+bool names_value(lang_t *l, int symbol, value_t *out) {
+    const symbol_t *s = &l->symbol[symbol];
+    *out = s->u.value;
+#if CONFIG_CONTROL
+    const char *text = s->defined || !l->texts ? NULL : texts_get(l->texts, name_of(l, s), s->name_len);
+    if (text) {
+        const size_t len = strlen(text);
+        char *copy = texts_room(l->texts, len);
+        if (copy) memcpy(copy, text, len + 1);
+        *out = copy ? value_text(copy, len) : value_undef();
+        return true;
+    }
+#endif
+    return s->defined;
+}
+
+bool names_assign(lang_t *l, int symbol, value_t v) {
+    symbol_t *s = &l->symbol[symbol];
+#if CONFIG_CONTROL
+    const bool text = v.kind == VALUE_TEXT;
+    s->defined = !text;
+    s->u.value = v;
+    if (l->texts && (text || l->texts->used))
+        return texts_set(l->texts, name_of(l, s), s->name_len, text ? value_chars(v) : NULL);
+#else
+    s->defined = true;
+    s->u.value = v;
+#endif
+    return true;
+}
+
+#if CONFIG_CONTROL
+static void drop_cells(lang_t *l, symbol_t *a) {
+    const uint16_t start = a->u.cells.start, len = a->u.cells.len;
+    memmove(l->cell + start, l->cell + start + len, (size_t)(l->cells - start - len) * sizeof *l->cell);
+    l->cells = (uint16_t)(l->cells - len);
+    for (int i = 0; i < l->symbols; i++) {
+        symbol_t *other = &l->symbol[i];
+        if (other->kind == SYMBOL_ARRAY && other->defined && other->u.cells.start > start)
+            other->u.cells.start = (uint16_t)(other->u.cells.start - len);
+    }
+}
+
+void names_forget(lang_t *l, int symbol) {
+    symbol_t *s = &l->symbol[symbol];
+    if (s->defined && s->kind == SYMBOL_FUNCTION) names_define_function(l, symbol, 0, 0, 0); /* its body goes */
+    if (s->defined && s->kind == SYMBOL_ARRAY) drop_cells(l, s);
+    if (s->kind == SYMBOL_VARIABLE && l->texts) texts_set(l->texts, name_of(l, s), s->name_len, NULL);
+    s->defined = false;
+}
+#endif
+
 int names_set(lang_t *l, const char *name, size_t len, value_t v, lang_error_t *err) {
     int i = names_intern(l, SYMBOL_VARIABLE, name, len, 0, err);
     if (i < 0) return i;
+#if CONFIG_CONTROL
+    const int array = names_find(l, SYMBOL_ARRAY, name, len);
+    if (array >= 0) names_forget(l, array);
+#endif
+#if CONFIG_CONTROL
+    if (names_assign(l, i, v)) return 0;
+    return lang_error_set_number(err, ERR_FULL, 0, "no memory for this text; bytes for all", CONFIG_TEXTS);
+#else
     l->symbol[i].defined = true;
     l->symbol[i].u.value = v;
     return 0;
+#endif
 }
 
 void names_release(lang_t *l, uint16_t mark) {

@@ -22,7 +22,7 @@ _Static_assert(CONFIG_SYMBOLS >= 4 && CONFIG_SYMBOLS <= 255, "compiled code hold
 _Static_assert(CONFIG_POOL >= 64 && CONFIG_POOL <= 65535, "the pool is addressed by 16 bits");
 _Static_assert(CONFIG_STACK >= 16 && CONFIG_STACK <= 65535, "constant folding needs a few values");
 
-enum symbol_kind { SYMBOL_VARIABLE, SYMBOL_FUNCTION };
+enum symbol_kind { SYMBOL_VARIABLE, SYMBOL_FUNCTION, SYMBOL_ARRAY };
 
 typedef struct symbol {
     uint16_t name;    /* where its name starts in the pool */
@@ -35,6 +35,9 @@ typedef struct symbol {
         struct {
             uint16_t start, len, stack; /* in the pool, in bytes; values it needs on the stack */
         } code;                         /* of a function */
+        struct {
+            uint16_t start, len; /* in lang_t.cell */
+        } cells;                 /* of an array */
     } u;
 } symbol_t;
 
@@ -53,7 +56,9 @@ typedef struct lang {
 #if CONFIG_CONTROL
     uint8_t iterated[LANG_ITERATED]; /* variables that `for` goes through now: what is compiled takes their values */
     uint8_t iterations;              /* of them */
-    const texts_t *texts;            /* for exists("name"), or NULL */
+    texts_t *texts;                  /* the session's; NULL: there are no texts */
+    uint16_t cells;                  /* in use */
+    value_t cell[CONFIG_CELLS];
 #endif
     bool degrees;    /* what is compiled from now on measures angles in degrees */
     int32_t seed[2]; /* rand(); seed[0] == 0: not started. Any bits will do as a seed */
@@ -70,9 +75,15 @@ typedef struct lang {
     uint8_t pool[CONFIG_POOL];
 } lang_t;
 
-/* Empties everything and defines pi and NaN. */
+/* Empties everything but texts and defines pi and NaN. */
 void names_reset(lang_t *l);
-/* Sets a variable, making it if need be. Returns 0 or ERR_FULL. */
+/* What a variable holds, a number or a text; false if it is not defined. A text is copied to where results are. */
+bool names_value(lang_t *l, int symbol, value_t *out);
+/* Makes it hold that. false: no room for the text. */
+bool names_assign(lang_t *l, int symbol, value_t v);
+/* A variable, function or array is not defined any more. What mentions it goes on doing so. */
+void names_forget(lang_t *l, int symbol);
+/* Sets a variable, making it if need be; an array of this name is forgotten. Returns 0 or ERR_FULL. */
 int names_set(lang_t *l, const char *name, size_t len, value_t v, lang_error_t *err);
 /* The index of a symbol, or -1. */
 int names_find(const lang_t *l, enum symbol_kind kind, const char *name, size_t len);

@@ -141,7 +141,7 @@ int plot_items(session_t *s) {
     for (int32_t k = 0; k < s->plot.sources; k++) {
         const session_source_t *src = &s->plot.source[k];
         bool data = src->kind != SOURCE_EXPR;
-        for (int32_t g = 0; g < (data && !src->solid ? src->grids + session_is_curved(src) : 1); g++, n++) {
+        for (int32_t g = 0; g < session_items(src); g++, n++) {
             if (n == CONFIG_PLOT_ITEMS)
                 return lang_error_set_number(&s->error, ERR_FULL, src->column, "too much for one plot; most surfaces",
                                              CONFIG_PLOT_ITEMS);

@@ -37,13 +37,16 @@ int plot_iteration(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_pa
     control_range_t range[LANG_ITERATED];
     int n = 0, err = ranges(s, lx, range, &n);
     const lexer_t body = *lx;
+    bool open = false;
+    for (int k = 0; k < n; k++) open |= range[k].open;
     s->lang.iterations = (uint8_t)n;
     bool more = !err;
     while (more) {
         for (int k = 0; k < n; k++) control_set(s, &range[k]);
         *lx = body;
         err = plot_element(s, lx, kind, params);
-        more = !err && advance(range, n);
+        if (!err) s->plot.source[s->plot.sources - 1].open_ended = open;
+        more = !err && advance(range, n) && !(open && s->plot.sources == CONFIG_PLOT_ITEMS);
     }
     s->lang.iterations = 0;
     while (n > 0) control_restore(s, &range[--n]);

@@ -4,7 +4,7 @@
 
 static int title(session_t *s, lexer_t *lx, session_source_t *src) {
 #if CONFIG_CONTROL
-    if (!plot_is_plain(s, lx)) {
+    if (session_may_be_text(s, lx) && !plot_is_plain(lx)) {
         const char *text;
         int err = plot_text(s, lx, &text);
         src->title = text;

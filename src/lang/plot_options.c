@@ -11,6 +11,25 @@ int plot_options_twice(session_t *s, const lexer_t *lx, bool *seen) {
     return 0;
 }
 
+/* A whole number, or a variable that holds one. */
+static int column_number(session_t *s, lexer_t *lx, int64_t *c) {
+    const bool minus = lexer_accept(lx, '-');
+    value_t v = lx->tok.value;
+    if (CONFIG_CONTROL && lx->tok.kind == TOKEN_NAME) {
+        const int symbol = names_find(&s->lang, SYMBOL_VARIABLE, lexer_text(lx), lx->tok.len);
+        if (symbol < 0 || !s->lang.symbol[symbol].defined)
+            return lang_error_set_name(&s->error, ERR_NAME, lexer_column(lx), "undefined variable", lexer_text(lx),
+                                       lx->tok.len);
+        v = s->lang.symbol[symbol].u.value;
+    } else if (lx->tok.kind != TOKEN_NUMBER) {
+        return lexer_unexpected(lx, &s->error, COLUMN_EXPECTED);
+    }
+    if (v.kind != VALUE_INT) return lexer_unexpected(lx, &s->error, COLUMN_EXPECTED);
+    *c = minus ? -v.m : v.m;
+    lexer_next(lx);
+    return 0;
+}
+
 /* One part of using: a column, or an expression in brackets. */
 static int using_part(session_t *s, lexer_t *lx, session_source_t *src, int k) {
     data_spec_t *spec = &src->spec;
@@ -24,14 +43,12 @@ static int using_part(session_t *s, lexer_t *lx, session_source_t *src, int k) {
     if (lx->tok.kind == TOKEN_STRING)
         return session_fail(s, lx, ERR_UNSUPPORTED, "columns have numbers here, not names");
     lexer_t at = *lx;
-    int32_t sign = lexer_accept(lx, '-') ? -1 : 1;
-    if (lx->tok.kind != TOKEN_NUMBER || lx->tok.value.kind != VALUE_INT)
-        return lexer_unexpected(lx, &s->error, COLUMN_EXPECTED);
-    int64_t c = lx->tok.value.m * sign;
+    int64_t c = 0;
+    int err = column_number(s, lx, &c);
+    if (err) return err;
     if (c < USING_SET || c > CONFIG_DATA_COLUMNS)
         return lang_error_set_number(&s->error, ERR_VALUE, lexer_column(&at), "columns are numbered from -2 to",
                                      CONFIG_DATA_COLUMNS);
-    lexer_next(lx);
     spec->part[k] = (int32_t)c;
     if (c > 0) spec->wanted |= (uint64_t)1 << c;
     return 0;
@@ -41,9 +58,8 @@ static int using_part(session_t *s, lexer_t *lx, session_source_t *src, int k) {
 static int using_more(session_t *s, lexer_t *lx) {
     expr_t unused;
     if (lx->tok.kind == '(') return plot_options_expression(s, lx, &unused);
-    lexer_accept(lx, '-');
-    if (lx->tok.kind != TOKEN_NUMBER && lx->tok.kind != TOKEN_STRING)
-        return lexer_unexpected(lx, &s->error, COLUMN_EXPECTED);
+    int64_t number;
+    if (lx->tok.kind != TOKEN_STRING) return column_number(s, lx, &number);
     lexer_next(lx);
     return 0;
 }
@@ -69,7 +85,11 @@ static int using(session_t *s, lexer_t *lx, session_source_t *src) {
 /* Numbers between colons, each of which may be left out. */
 static int colons(session_t *s, lexer_t *lx, int32_t *const value[], const int32_t lo[], int n) {
     for (int k = 0; k < n; k++) {
-        if (lx->tok.kind == TOKEN_NUMBER || lx->tok.kind == '(') {
+        const int variable = CONFIG_CONTROL && lx->tok.kind == TOKEN_NAME
+                                 ? names_find(&s->lang, SYMBOL_VARIABLE, lexer_text(lx), lx->tok.len)
+                                 : -1;
+        if (lx->tok.kind == TOKEN_NUMBER || lx->tok.kind == '(' ||
+            (variable >= 0 && s->lang.symbol[variable].defined)) {
             int err = set_integer(s, lx, lo[k], INDEX_MAX, value[k], "this number is out of range");
             if (err) return err;
         } else if (lx->tok.kind != ':' && k == 0) {
@@ -92,7 +112,8 @@ static int index_option(session_t *s, lexer_t *lx, data_spec_t *spec) {
     if (spec->last_set < 0) { /* index 2 is one set, index 2: and 2::3 go on */
         lexer_t colon = at;
         lexer_next(&colon);
-        spec->last_set = at.tok.kind == TOKEN_NUMBER && colon.tok.kind != ':' ? spec->first_set : INDEX_MAX;
+        const bool first = at.tok.kind == TOKEN_NUMBER || at.tok.kind == TOKEN_NAME;
+        spec->last_set = first && colon.tok.kind != ':' ? spec->first_set : INDEX_MAX;
     }
     if (spec->last_set < spec->first_set) return session_fail(s, &at, ERR_VALUE, "no data set is in this range");
     return 0;

@@ -44,6 +44,10 @@ static int try_out(session_t *s, const session_source_t *src) {
     }
     value_t v;
     int err = expr_eval(&s->lang, &src->expr, at, &v);
+    if (CONFIG_CONTROL && err == ERR_FULL) { /* a recursion that only ends for some numbers */
+        for (int k = 0; k < 2; k++) at[k] = s->plot.range[k].auto_lo ? num_from_i64(0) : s->plot.range[k].lo;
+        err = expr_eval(&s->lang, &src->expr, at, &v);
+    }
     s->lang.seed[0] = seed[0];
     s->lang.seed[1] = seed[1];
     if (!err) return 0;
@@ -60,10 +64,10 @@ static bool ends_in(const char *name, int n, const char *suffix) {
 }
 
 #if CONFIG_CONTROL
-bool plot_is_plain(const session_t *s, const lexer_t *lx) {
+bool plot_is_plain(const lexer_t *lx) {
     lexer_t next = *lx;
     lexer_next(&next);
-    return !session_is_text(s, lx) || (lx->tok.kind == TOKEN_STRING && next.tok.kind != '.');
+    return lx->tok.kind == TOKEN_STRING && next.tok.kind != '.' && next.tok.kind != '[';
 }
 
 int plot_text(session_t *s, lexer_t *lx, const char **text) {
@@ -81,7 +85,7 @@ static int data_name(session_t *s, lexer_t *lx, session_source_t *src, expr_para
     int n = 0;
     const lexer_t at = *lx;
 #if CONFIG_CONTROL
-    if (!plot_is_plain(s, lx)) {
+    if (!plot_is_plain(lx)) {
         int err = plot_text(s, lx, &src->file_name);
         if (err) return err;
         n = (int)strlen(src->file_name);
@@ -151,6 +155,7 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, expr_params_t
     *src = (session_source_t){.column = lexer_column(lx), .first_grid = first_grid, .grids = grids};
 #if CONFIG_PARAMETRIC
     src->curved = last.curved;
+    src->empty = last.empty;
     memcpy(src->extent, last.extent, sizeof src->extent);
 #endif
 #if CONFIG_AREA

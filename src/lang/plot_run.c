@@ -14,7 +14,7 @@ static int evaluation_error(session_t *s, int32_t n) {
     for (int32_t k = 0; k < s->plot.sources && item < n; k++) {
         const session_source_t *src = &s->plot.source[k];
         if (src->kind != SOURCE_EXPR || src->parametric) {
-            item += src->solid ? 1 : src->grids + session_is_curved(src);
+            item += session_items(src);
             continue;
         }
         int err = s->plot.work[item++].expr.source.error;
@@ -39,6 +39,7 @@ static int draw(session_t *s) {
         if (session_is_curved(&s->plot.source[k])) s->plot.kind = PLOT_SOLIDS; /* as their data turned out */
     int n = plot_items(s);
     if (n < 0) return n;
+    if (CONFIG_PARAMETRIC && n == 0) return plot_fail(s, &s->plot.source[0], ERR_EMPTY, error_text(ERR_EMPTY));
     int32_t seed[2] = {s->lang.seed[0], s->lang.seed[1]};
     swap_ranges(s);
     plot_t plot = {s->plot.kind, n, s->plot.item, &s->settings};
@@ -75,6 +76,18 @@ static void plot_is_last(session_t *s) {
     s->last_len = strlen(s->last);
 }
 
+#if CONFIG_PARAMETRIC
+/* Among others an element may have nothing in the ranges, or be one more than there are data for. */
+static int pass_empty(session_t *s, session_source_t *src) {
+    s->error = (lang_error_t){0};
+    src->grids = 0;
+    src->curved = false;
+    src->empty = true;
+    s->plot.next++;
+    return 0;
+}
+#endif
+
 /* Goes on with source[next]; returns 0 when the plot is drawn or waits for inline data. */
 static int go_on(session_t *s) {
     while (s->plot.next < s->plot.sources) {
@@ -83,6 +96,7 @@ static int go_on(session_t *s) {
 #if CONFIG_PARAMETRIC
         if (src->parametric && s->plot.next >= s->plot.kept) {
             err = plot_parametric(s, src);
+            if (err == ERR_EMPTY && s->plot.sources > 1) err = pass_empty(s, src);
             if (err) return err;
             continue;
         }
@@ -95,10 +109,19 @@ static int go_on(session_t *s) {
             return err;
         } else {
             err = plot_data_read(s, src);
+#if CONFIG_CONTROL
+            if (err == ERR_EMPTY && src->open_ended && s->plot.next > 0) err = pass_empty(s, src);
+#endif
         }
         if (err) return err;
     }
     s->plot.valid = s->plot.sources;
+#if CONFIG_CONTROL
+    const session_source_t *last = &s->plot.source[s->plot.sources - 1];
+    if (last->open_ended && !last->empty && s->plot.sources == CONFIG_PLOT_ITEMS)
+        return lang_error_set_number(&s->error, ERR_FULL, last->column, "too much for one plot; most elements",
+                                     CONFIG_PLOT_ITEMS);
+#endif
     int err = draw(s);
 #if CONFIG_CONTROL
     plot_iteration_end(s);
@@ -123,6 +146,9 @@ static int start(session_t *s, int32_t kept) {
     s->plot.kept = kept;
     s->plot.next = 0;
     s->plot.valid = kept;
+#if CONFIG_PARAMETRIC
+    for (int32_t k = kept; k < s->plot.sources; k++) s->plot.source[k].empty = false;
+#endif
     if (kept == 0) {
         s->pool.low = 0;
         s->pool.high = s->pool_size;

@@ -21,9 +21,14 @@ static bool in_block(const session_t *s) {
 void session_forget_names(session_t *s) {
     names_reset(&s->lang);
 #if CONFIG_CONTROL
-    s->texts.used = 0;
+    texts_reset(&s->texts);
     s->lang.texts = &s->texts;
     texts_set(&s->texts, "GPVAL_ENCODING", 14, "utf8"); /* which many scripts save and set again */
+    lang_error_t ignored;
+    names_set(&s->lang, "GPVAL_VERSION", 13, value_real(num_from_decimal(54, -1)), &ignored);
+    texts_set(&s->texts, "GPVAL_COMPILE_OPTIONS", 21, "");
+    texts_set(&s->texts, "GPVAL_TERM", 10, "unknown");
+    names_set(&s->lang, "ARGC", 4, value_int(0), &ignored);
 #endif
 }
 

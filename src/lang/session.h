@@ -35,8 +35,8 @@ typedef struct session_port {
     int (*read)(void *ctx, int handle, char *buf, int size);
     void (*close)(void *ctx, int handle);
 #if CONFIG_LOAD_DEPTH
-    /* Data blocks: opens `$name` as a file from then on. Text NULL: empties it; else adds n bytes to it. May be NULL.
-     */
+    /* Data blocks: opens `$name` as a file from then on. Adds n bytes to it; text NULL: empties it (n 0), forgets it
+     * (1), or all whose names begin so (2). May be NULL. */
     int (*keep)(void *ctx, const char *name, const char *text, size_t n);
 #endif
     /* pause: shows prompt (may be ""), waits ms milliseconds, or for Return when ms < 0. */
@@ -53,12 +53,14 @@ enum session_state {
 };
 
 #if CONFIG_CONTROL
-/* `[i=first:last:step]` on its way. */
+/* `[i=first:last:step]`, or `[w in "a b c"]`, on its way. */
 typedef struct control_range {
     int symbol;
     bool was_defined; /* before; then */
     value_t before;
     int64_t first, now, last, step;
+    const char *words; /* numbered from 1; NULL: numbers */
+    bool open;         /* [i=first:*] */
 } control_range_t;
 
 /* A block being executed; places are those of the logical line. */
@@ -119,6 +121,7 @@ typedef struct session_source {
     int32_t title_len;
 #if CONFIG_CONTROL
     bool iterated;         /* stands behind `for` */
+    bool open_ended;       /* behind for [i=1:*]: data that are none end it */
     const char *file_name; /* in plot.texts; NULL: as `name` says */
 #endif
     expr_t expr;    /* of the element */
@@ -128,6 +131,7 @@ typedef struct session_source {
     int32_t smooth_q30;        /* cosine of `crease` (mesh.h) */
 #if CONFIG_PARAMETRIC
     num_t extent[2][2]; /* plot.h */
+    bool empty;         /* nothing of it is to be drawn, which is no mistake */
     bool curved;        /* some of its data are no grid: behind its grids comes a mesh */
 #endif
 #if CONFIG_SAMPLED
@@ -160,6 +164,7 @@ typedef struct session {
 #if CONFIG_LOAD_DEPTH
     bool in_block;                 /* lines are those of a data block */
     char block[32], block_end[32]; /* its name; the line that ends it */
+    char print_to[32];             /* set print: the block that gets what is printed, or "" */
 #endif
     bool rows_left;     /* the inline data were refused, and rows of them are still coming */
     int32_t rows_bytes; /* of memory that they take all together, if that was why; or 0 */
@@ -167,7 +172,6 @@ typedef struct session {
 #if CONFIG_CONTROL
     int32_t turns; /* of loops, since the last line came in */
     texts_t texts;
-    char scratch[CONFIG_NAME_MAX + 1];
 #endif
     bool nonlinear; /* set nonlinear; without CONFIG_LOGSCALE also set logscale */
 #if CONFIG_LOGSCALE

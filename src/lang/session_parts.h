@@ -39,14 +39,22 @@ int session_fail(session_t *s, const lexer_t *lx, int code, const char *message)
 /* session_text.c: copies the text at lx, which must be one, and goes on. size bytes with the zero. */
 int session_string(session_t *s, lexer_t *lx, char *out, size_t size, const char *expected);
 #if CONFIG_CONTROL
+/* Is what begins here surely a text? */
 bool session_is_text(const session_t *s, const lexer_t *lx);
-/* `name = text`: 1 if it was that, 0 with lx untouched, or an error. */
-int session_define_text(session_t *s, lexer_t *lx);
+/* Or a call of a function that may give one? */
+bool session_may_be_text(const session_t *s, const lexer_t *lx);
+/* array.c: array A[3] = [1, 2, 3], behind its word; A[2] = 5: 1 if it was that, 0 with lx untouched, or an error; an
+ * array without an index: print A. */
+int array_command(session_t *s, lexer_t *lx);
+int array_assign(session_t *s, lexer_t *lx);
+bool array_is_whole(const session_t *s, const lexer_t *lx);
+void array_print(session_t *s, lexer_t *lx);
 #else
 static inline bool session_is_text(const session_t *s, const lexer_t *lx) {
     (void)s;
     return lx->tok.kind == TOKEN_STRING;
 }
+#define session_may_be_text session_is_text
 #endif
 /* `what word why`, with the line, for people. */
 void session_warn(session_t *s, const char *what, const char *word, size_t len, const char *why);
@@ -73,6 +81,7 @@ void control_restore(session_t *s, const control_range_t *r);
 #endif
 
 /* commands.c */
+void session_say(session_t *s, const char *text);
 int command_execute(session_t *s, lexer_t *lx);
 
 #if CONFIG_CONTROL
@@ -144,6 +153,9 @@ int help_command(session_t *s, lexer_t *lx);
 
 /* block.c. `$name`, at its $, with the $ into out; `$name << END`; one physical line of the block, or its end */
 int block_name(session_t *s, lexer_t *lx, char *out, size_t size);
+int block_print(session_t *s, lexer_t *lx);
+void block_of_palette(session_t *s, lexer_t lx);
+int block_evaluate(session_t *s, lexer_t *lx);
 int block_command(session_t *s, lexer_t *lx);
 int block_line(session_t *s, const char *text, size_t n);
 
@@ -156,7 +168,7 @@ int plot_ranges(session_t *s, lexer_t *lx, enum plot_kind kind, expr_params_t *p
 int plot_element(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_params_t *params);
 #if CONFIG_CONTROL
 /* plot_parse.c: is the text at lx one that stands in the line as it is; one that is put together, kept for the plot */
-bool plot_is_plain(const session_t *s, const lexer_t *lx);
+bool plot_is_plain(const lexer_t *lx);
 int plot_text(session_t *s, lexer_t *lx, const char **text);
 int plot_iteration(session_t *s, lexer_t *lx, enum plot_kind kind, const expr_params_t *params);
 int plot_iteration_check(session_t *s);
@@ -175,6 +187,13 @@ static inline bool session_is_curved(const session_source_t *src) {
 #else
     return (void)src, false;
 #endif
+}
+/* How many surfaces, curves or bodies an element is. */
+static inline int32_t session_items(const session_source_t *src) {
+#if CONFIG_PARAMETRIC
+    if (src->empty) return 0;
+#endif
+    return src->kind != SOURCE_EXPR && !src->solid ? src->grids + session_is_curved(src) : 1;
 }
 /* plot_parametric.c: source[next], of three expressions, becomes a mesh. The ranges of the command as limits. */
 int plot_parametric(session_t *s, session_source_t *src);

@@ -22,6 +22,9 @@ void set_reset(session_t *s) {
     scattered_default(&s->scattered);
 #endif
     s->lang.degrees = false;
+#if CONFIG_LOAD_DEPTH
+    s->print_to[0] = '\0';
+#endif
     memcpy(s->dummy[0], "x", 2);
     memcpy(s->dummy[1], "y", 2);
 }
@@ -151,6 +154,10 @@ int set_command(session_t *s, lexer_t *lx) {
     if (index < 0) return index;
     settings_t *set = &s->settings;
     lexer_next(lx);
+#if CONFIG_LOAD_DEPTH
+    if (words_set_id[index] == SET_PRINT && (lx->tok.kind == '$' || session_at_end(lx))) return block_print(s, lx);
+    if (words_set_id[index] == SET_PALETTE) block_of_palette(s, *lx);
+#endif
     switch (words_set_id[index]) {
     case SET_ANGLES:
         return set_angles(s, lx);
@@ -239,6 +246,8 @@ int set_command(session_t *s, lexer_t *lx) {
             if (err) return err;
         } /* fall through */
     case SET_IGNORED:
+    case SET_PRINT:
+    case SET_PALETTE:
 #if !CONFIG_SAMPLED
     case SET_POLAR:
 #endif

@@ -7,7 +7,7 @@ static const char looks[] =
 
 int set_title(session_t *s, lexer_t *lx) {
     char title[SETTINGS_TITLE_MAX] = "";
-    if (session_is_text(s, lx)) {
+    if (session_may_be_text(s, lx)) {
         char *text = s->frame_name[0]; /* lent: no data file is open now */
         int err = session_string(s, lx, text, CONFIG_NAME_MAX + 1, "");
         if (err) return err;

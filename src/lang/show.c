@@ -275,8 +275,8 @@ int show_command(session_t *s, lexer_t *lx) {
     }
     lexer_next(lx);
     uint8_t id = words_set_id[index];
-    if (id == SET_IGNORED || id == SET_NONLINEAR || (!CONFIG_SAMPLED && id == SET_POLAR) ||
-        (!CONFIG_PARAMETRIC && id == SET_PARAMETRIC)) {
+    if (id == SET_IGNORED || (CONFIG_LOAD_DEPTH && (id == SET_PRINT || id == SET_PALETTE)) || id == SET_NONLINEAR ||
+        (!CONFIG_SAMPLED && id == SET_POLAR) || (!CONFIG_PARAMETRIC && id == SET_PARAMETRIC)) {
         session_warn_once(s, s->warned_set, index, "show ", &word, ": this option is ignored here");
         session_skip(lx);
         return 0;

@@ -1,6 +1,11 @@
-/* texts.c - a list of pairs of strings in a fixed buffer. */
+/* texts.c - a list of pairs of strings in a fixed buffer, and two of strings. */
 #include "lang/texts.h"
 #include <string.h>
+
+#if CONFIG_CONTROL
+void texts_reset(texts_t *t) {
+    t->used = t->literals = t->working = 0;
+}
 
 static size_t find(const texts_t *t, const char *name, size_t len) {
     size_t at = 0;
@@ -33,3 +38,22 @@ bool texts_set(texts_t *t, const char *name, size_t len, const char *text) {
     t->used += len + strlen(text) + 2;
     return true;
 }
+
+int texts_keep(texts_t *t, const char *text, size_t len) {
+    for (size_t at = 0; at < t->literals; at += strlen(t->literal + at) + 1)
+        if (strlen(t->literal + at) == len && memcmp(t->literal + at, text, len) == 0) return (int)at;
+    if (len + 1 > sizeof t->literal - t->literals) return -1;
+    const size_t at = t->literals;
+    memmove(t->literal + at, text, len); /* it may be written there already */
+    t->literal[at + len] = '\0';
+    t->literals += len + 1;
+    return (int)at;
+}
+
+char *texts_room(texts_t *t, size_t len) {
+    if (len + 1 > sizeof t->work - t->working) return NULL;
+    char *room = t->work + t->working;
+    t->working += len + 1;
+    return room;
+}
+#endif

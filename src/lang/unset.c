@@ -17,7 +17,14 @@ int set_unset_command(session_t *s, lexer_t *lx) {
         session_skip(lx);
         return 0;
     }
-    if (id == SET_IGNORED || id == SET_STYLE || id == SET_BORDER || set_tics_of(id)) {
+#if CONFIG_LOAD_DEPTH
+    if (id == SET_PRINT) {
+        s->print_to[0] = '\0';
+        return session_expect_end(s, lx);
+    }
+#endif
+    if (id == SET_IGNORED || (CONFIG_LOAD_DEPTH && id == SET_PALETTE) || id == SET_STYLE || id == SET_BORDER ||
+        set_tics_of(id)) {
         set->tics &= (uint8_t)~set_tics_of(id);
         if (id == SET_BORDER) set->border_base = false;
         session_warn_once(s, s->warned_set, index, "unset ", &word, " is ignored");

@@ -1,4 +1,4 @@
-/* value.h - what an expression yields: an integer, a real, or nothing.
+/* value.h - what an expression yields: an integer, a real, a text, or nothing.
  *
  * As in gnuplot, integers are 64 bits wide and stay integers under + - * / % ** and the bit operators; a
  * result that does not fit becomes real. Reals are what a double can hold, see
@@ -17,6 +17,7 @@ enum value_kind {
     VALUE_REAL = 0,
     VALUE_UNDEF = 1,
     VALUE_INT = 2,
+    VALUE_TEXT = 4, /* CONFIG_CONTROL: m is where it is (texts.h), ended by a zero, e how many bytes it has */
 };
 
 typedef struct value {
@@ -35,13 +36,19 @@ static inline value_t value_undef(void) {
 static inline value_t value_real(num_t n) {
     return (value_t){n.m, n.e, n.undef};
 }
+static inline value_t value_text(const char *text, size_t len) {
+    return (value_t){(int64_t)(intptr_t)text, (int32_t)len, VALUE_TEXT};
+}
+static inline const char *value_chars(value_t text) {
+    return (const char *)(intptr_t)text.m;
+}
 /* The double nearest to i. */
 num_t value_from_integer(int64_t i);
 /* The real number that v stands for: an integer becomes the nearest double, nothing stays
- * undefined. */
+ * undefined, and so does a text. */
 static inline num_t value_num(value_t v) {
     if (v.kind == VALUE_INT) return value_from_integer(v.m);
-    return (num_t){v.m, v.e, v.kind == VALUE_UNDEF};
+    return (num_t){v.m, v.e, v.kind != VALUE_REAL};
 }
 
 /* Writes v as gnuplot's `print` does, ended by a zero: integers in decimal, reals by %.15g with ".0" added when there

@@ -28,12 +28,16 @@ int words_find(const char *table, const lexer_t *lx) {
 #if CONFIG_CONTROL
 #define CONTROL CMD_CONTROL
 #define UNDEFINE CMD_UNDEFINE
+#define ARRAY CMD_ARRAY
+#define EVALUATE (CONFIG_LOAD_DEPTH ? CMD_EVALUATE : CMD_UNSUPPORTED)
 #else
 #define CONTROL CMD_UNSUPPORTED
 #define UNDEFINE CMD_IGNORED
+#define ARRAY CMD_UNSUPPORTED
+#define EVALUATE CMD_UNSUPPORTED
 #endif
 #define COMMANDS(WORD)                                                                                                 \
-    WORD("array", CMD_UNSUPPORTED)                                                                                     \
+    WORD("array", ARRAY)                                                                                               \
     WORD("bi$nd", CMD_IGNORED)                                                                                         \
     WORD("break", CONTROL)                                                                                             \
     WORD("ca$ll", CMD_UNSUPPORTED)                                                                                     \
@@ -41,7 +45,7 @@ int words_find(const char *table, const lexer_t *lx) {
     WORD("cl$ear", CMD_IGNORED)                                                                                        \
     WORD("continue", CONTROL)                                                                                          \
     WORD("do", CONTROL)                                                                                                \
-    WORD("eval$uate", CMD_UNSUPPORTED)                                                                                 \
+    WORD("eval$uate", EVALUATE)                                                                                        \
     WORD("ex$it", CMD_EXIT)                                                                                            \
     WORD("f$it", CMD_UNSUPPORTED)                                                                                      \
     WORD("h$elp", CMD_HELP)                                                                                            \
@@ -93,6 +97,8 @@ _Static_assert(sizeof words_command_id <= WORDS_WARNED_STYLE, "a warning bit for
 #endif
 /* What a build is without is as gnuplot's other options are. */
 #define LOGSCALE (CONFIG_LOGSCALE ? SET_LOGSCALE : SET_NONLINEAR)
+#define PRINT (CONFIG_LOAD_DEPTH ? SET_PRINT : SET_IGNORED)
+#define PALETTE (CONFIG_LOAD_DEPTH ? SET_PALETTE : SET_IGNORED)
 #define DGRID (CONFIG_SCATTERED ? SET_DGRID : SET_IGNORED)
 #define MAPPING (CONFIG_SAMPLED ? SET_MAPPING : SET_IGNORED)
 #define TRANGE (CONFIG_SAMPLED ? SET_TRANGE : SET_IGNORED)
@@ -176,14 +182,14 @@ _Static_assert(sizeof words_command_id <= WORDS_WARNED_STYLE, "a warning bit for
     WORD("overflow", SET_IGNORED)                                                                                      \
     WORD("pap$er", SET_PAPER)                                                                                          \
     WORD("pa$rametric", SET_PARAMETRIC)                                                                                \
-    WORD("pal$ette", SET_IGNORED)                                                                                      \
+    WORD("pal$ette", PALETTE)                                                                                          \
     WORD("pax$is", SET_IGNORED)                                                                                        \
     WORD("pix$map", SET_IGNORED)                                                                                       \
     WORD("pm$3d", SET_IGNORED)                                                                                         \
     WORD("pointint$ervalbox", SET_IGNORED)                                                                             \
     WORD("poi$ntsize", SET_IGNORED)                                                                                    \
     WORD("pol$ar", SET_POLAR)                                                                                          \
-    WORD("pr$int", SET_IGNORED)                                                                                        \
+    WORD("pr$int", PRINT)                                                                                              \
     WORD("psdir", SET_IGNORED)                                                                                         \
     WORD("rax$is", SET_IGNORED)                                                                                        \
     WORD("rgbmax", SET_IGNORED)                                                                                        \

@@ -32,6 +32,8 @@ enum command_id {
     CMD_UNSET,
     CMD_CONTROL, /* this and those that follow want their own word, not only what stands behind it */
     CMD_UNDEFINE,
+    CMD_ARRAY,
+    CMD_EVALUATE,
     CMD_IGNORED,     /* gnuplot's, without a meaning for a plotter: one warning, skipped */
     CMD_UNSUPPORTED, /* gnuplot's, and skipping it would change what follows: an error */
 };
@@ -59,6 +61,8 @@ enum set_id {
     SET_PAPER,
     SET_PARAMETRIC,
     SET_POLAR,
+    SET_PRINT,   /* as what is ignored, but for data blocks */
+    SET_PALETTE, /* ignored, but rows may follow */
     SET_LOGSCALE,
     SET_NONLINEAR, /* ignored, but plots are refused while it is set; so are parametric and polar where they are not */
     SET_DGRID,

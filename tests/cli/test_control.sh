@@ -3,7 +3,7 @@
 . tests/cli/lib.sh
 
 ours() {
-    timeout 20 "$RIDGELINE" plot "$1" -o none.seg
+    timeout 20 "$RIDGELINE" plot "$1" ${2:+-o "$2"}
 }
 
 blocks_do_what_gnuplot_does() {
