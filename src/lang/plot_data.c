@@ -16,7 +16,7 @@ static num_t compute(void *ctx, int32_t part) {
     value_t v;
     /* Parameters of what is sampled are its columns. */
     int err = expr_eval(&s->lang, &s->plot.source[s->plot.next].part[part], s->plot.reader.column + 1, &v);
-    if (err && !s->plot.data_error) s->plot.data_error = err;
+    if (err && !s->plot.data_error) s->plot.data_error = expr_fault(&s->lang, NULL, &s->error); /* the first one */
     return value_num(v);
 }
 
@@ -160,9 +160,8 @@ int plot_data_done(session_t *s) {
     int n = data_reader_finish(&s->plot.reader);
     s->lang.column = NULL;
     if (s->plot.data_error && (n >= 0 || n == ERR_EMPTY)) {
-        int err = expr_fault(&s->lang, NULL, &s->error);
         s->error.column = src->column;
-        return err;
+        return s->plot.data_error;
     }
     if (n < 0) return plot_data_failed(s, src, n);
     src->grids = n;

@@ -210,9 +210,11 @@ int set_command(session_t *s, lexer_t *lx) {
     case SET_ZRANGE:
         return set_range_option(s, lx, &set->z);
 #if CONFIG_PARAMETRIC
-    case SET_PARAMETRIC:
-        s->axes = AXES_PARAMETRIC;
-        return session_expect_end(s, lx);
+    case SET_PARAMETRIC: {
+        const int err = session_expect_end(s, lx);
+        if (!err) s->axes = AXES_PARAMETRIC;
+        return err;
+    }
     case SET_URANGE:
     case SET_VRANGE:
         return set_range_option(s, lx, &s->uv[words_set_id[index] == SET_VRANGE]);

@@ -33,6 +33,9 @@ static void a_file_of_one_parameter(void **state) {
     check_ends(f, 12, -3, 2.5);
     assert_int_equal(fixture_feed(f, "plot sample [0:10:-1] '+' using 1:1"), ERR_VALUE);
     assert_int_equal(fixture_feed(f, "plot sample [t=0:1] '+' using (t):(q)"), ERR_NAME);
+    /* Only some of the columns have no value: it is the first mistake that counts, and it ends the plot. */
+    assert_int_equal(fixture_feed(f, "set parametric; plot sin(nobody),t"), ERR_NAME);
+    assert_int_equal(fixture_feed(f, "set parametric 3"), ERR_SYNTAX);
     assert_int_equal(fixture_feed(f, "unset trange; reset; set samples 3; set logscale x; plot [1:100] '+' using 1:1"),
                      0);
     near(f->x[1], 1); /* evenly on the paper */
