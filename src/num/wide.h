@@ -109,11 +109,25 @@ static inline int64_t wide_mul_s32(int32_t a, int32_t b) {
 #endif
 }
 
+/* The four products of words that make one of 64 bits do not fit into the registers of a Cortex-M0: wide.c has a
+ * routine for it, whose operands and results are r0 to r3. Where bytes count most they are calls. */
+#if defined __ARM_ARCH_6M__ && defined __arm__ && !defined __OPTIMIZE_SIZE__
+#define WIDE_ROUTINE 1
+void wide_mul_words(void);
+#endif
+
 /* a * b of 64-bit operands. */
 static inline wide_u_t wide_mul_u64(uint64_t a, uint64_t b) {
 #ifdef __SIZEOF_INT128__
     wide_native_u_t p = (wide_native_u_t)a * b;
     return (wide_u_t){(uint64_t)(p >> 64), (uint64_t)p};
+#elif defined WIDE_ROUTINE
+    register uint32_t r0 __asm("r0") = (uint32_t)a;
+    register uint32_t r1 __asm("r1") = (uint32_t)(a >> 32);
+    register uint32_t r2 __asm("r2") = (uint32_t)b;
+    register uint32_t r3 __asm("r3") = (uint32_t)(b >> 32);
+    __asm("bl wide_mul_words" : "+r"(r0), "+r"(r1), "+r"(r2), "+r"(r3) : : "ip", "lr", "cc");
+    return (wide_u_t){(uint64_t)r3 << 32 | r2, (uint64_t)r1 << 32 | r0};
 #else
     uint32_t ah = (uint32_t)(a >> 32), al = (uint32_t)a, bh = (uint32_t)(b >> 32), bl = (uint32_t)b;
     uint64_t ll = wide_mul_u32(al, bl), lh = wide_mul_u32(al, bh), hl = wide_mul_u32(ah, bl);
