@@ -11,6 +11,7 @@
 #ifndef NUM_DOUBLE_H
 #define NUM_DOUBLE_H
 
+#include "config.h"
 #include "num/num_fast.h"
 #include "num/words.h"
 

@@ -188,5 +188,8 @@ static inline words_t words_with_sign(words_t a, uint32_t s) {
 static inline words_t words_mul_s32(int32_t a, int32_t b) {
     return words_of((uint64_t)wide_mul_s32(a, b));
 }
+static inline words_t words_mul_u32(uint32_t a, uint32_t b) {
+    return words_of(wide_mul_u32(a, b));
+}
 
 #endif

@@ -1,4 +1,4 @@
-/* same_numbers.c - what has ways of its own on a core of 32 bits: products, sums of doubles and their rounding, exp. Nothing
+/* same_numbers.c - what has ways of its own on a core of 32 bits: products, arithmetic of doubles, exp. Nothing
  * of it can be left out. */
 #include "num/func.h"
 #include "num/num_double.h"
@@ -25,6 +25,11 @@ void same_scene(uint64_t seed, same_t *s) {
                     y = num_from_fixed((int64_t)((uint64_t)d << 32 | b), (int)(c & 127));
         enter(s, num_double_add(num_double(x), y), " sum\n");
         enter(s, num_double_mul(x, y), " product\n");
+        const wide_u_t wide = wide_mul_u64((uint64_t)a << 32 | c, (uint64_t)d << 32 | b);
+        same_enter(s, (int64_t)wide.hi, " ");
+        same_enter(s, (int64_t)wide.lo, " wide product\n");
+        enter(s, num_double_div(x, y), " quotient\n");
+        enter(s, num_double_sqrt(y), " root\n");
         enter(s, func_exp(num_ldexp(x, -54)), " exp\n");
     }
 }
