@@ -6,19 +6,13 @@
 #include "lang/eval_row.h"
 #include "lang/arith.h"
 #include "lang/builtins.h"
-#include "num/exp_core.h"
-#include "num/func.h"
+#include "lang/eval_row_real.h"
 #include "num/noise.h"
 #include "num/num_double.h"
 
 #if EVAL_ROW_MAX > 1
 
 enum { DEPTH = 12, LEAST = 4, ARGS = 8 };
-
-typedef struct operand {
-    const value_t *at;
-    int32_t step;
-} operand_t;
 
 static bool is_binary(uint8_t op) {
     return op >= OP_ADD && op <= OP_BOR;
@@ -50,45 +44,23 @@ uint8_t eval_row_width(const uint8_t *code) {
     return (uint8_t)(width < EVAL_ROW_MAX ? width : EVAL_ROW_MAX);
 }
 
-static inline num_t real_of(const value_t *v) {
-    return (num_t){v->m, v->e, false};
-}
-static inline bool put(value_t *to, num_t r) {
-    to->m = r.m;
-    to->e = r.e;
-    to->kind = r.undef; /* VALUE_REAL or VALUE_UNDEF */
-    return r.undef;
-}
-
-/* What all operations share: a result for each point, and which of them are undefined as a whole. */
-typedef struct work {
-    int n;
-    uint32_t dead; /* by points */
-    bool failed;
-} work_t;
-
-static void note(work_t *w, int k, const char *fault) {
-    if (!fault) return;
-    w->dead |= (uint32_t)1 << k;
-    w->failed |= fault != ARITH_UNDEFINED;
-}
-
-static void binary_slow(work_t *w, int k, uint8_t op, operand_t a, operand_t b, value_t *to) {
+static void binary_slow(eval_row_work_t *w, int k, uint8_t op, eval_row_operand_t a, eval_row_operand_t b,
+                        value_t *to) {
     value_t v = *a.at;
-    note(w, k, arith_binary(op, &v, *b.at));
+    eval_row_note(w, k, arith_binary(op, &v, *b.at));
     *to = v;
 }
 
 /* Zeros and what is undefined are told by the upper word alone. */
 static inline bool is_rare(const value_t *a, const value_t *b) {
-    return NUM_FAST_RARE((a->kind | b->kind) != VALUE_REAL || num_double_rare(real_of(a), real_of(b)));
+    return NUM_FAST_RARE((a->kind | b->kind) != VALUE_REAL || num_double_rare(eval_row_num(a), eval_row_num(b)));
 }
 
 #define EACH_BINARY(expression)                                                                                        \
     for (int k = 0; k < w->n; k++, a.at += a.step, b.at += b.step, to++) {                                             \
         if (is_rare(a.at, b.at))                                                                                       \
             binary_slow(w, k, op, a, b, to);                                                                           \
-        else if (NUM_FAST_RARE(put(to, expression)))                                                                   \
+        else if (NUM_FAST_RARE(eval_row_put(to, expression)))                                                          \
             w->dead |= (uint32_t)1 << k;                                                                               \
     }
 
@@ -102,17 +74,20 @@ static inline num_t sum(int64_t am, int32_t ae, int64_t bm, int32_t be) {
     return num_double_sum_narrow((num_t){am, ae, false}, (num_t){bm, be, false});
 }
 /* One copy serves both. */
-static __attribute__((noinline)) void add_or_subtract(work_t *w, uint8_t op, operand_t a, operand_t b, value_t *to) {
+static __attribute__((noinline)) void add_or_subtract(eval_row_work_t *w, uint8_t op, eval_row_operand_t a,
+                                                      eval_row_operand_t b, value_t *to) {
     EACH_BINARY(sum(a.at->m, a.at->e, op == OP_SUB ? -b.at->m : b.at->m, b.at->e));
 }
-static __attribute__((noinline)) void multiply(work_t *w, uint8_t op, operand_t a, operand_t b, value_t *to) {
-    EACH_BINARY(num_double_mul(real_of(a.at), real_of(b.at)));
+static __attribute__((noinline)) void multiply(eval_row_work_t *w, uint8_t op, eval_row_operand_t a,
+                                               eval_row_operand_t b, value_t *to) {
+    EACH_BINARY(num_double_mul(eval_row_num(a.at), eval_row_num(b.at)));
 }
-static __attribute__((noinline)) void divide(work_t *w, uint8_t op, operand_t a, operand_t b, value_t *to) {
-    EACH_BINARY(num_double_div(real_of(a.at), real_of(b.at)));
+static __attribute__((noinline)) void divide(eval_row_work_t *w, uint8_t op, eval_row_operand_t a, eval_row_operand_t b,
+                                             value_t *to) {
+    EACH_BINARY(num_double_div(eval_row_num(a.at), eval_row_num(b.at)));
 }
 
-static void binary(work_t *w, uint8_t op, operand_t a, operand_t b, value_t *to) {
+static void binary(eval_row_work_t *w, uint8_t op, eval_row_operand_t a, eval_row_operand_t b, value_t *to) {
     if (op == OP_ADD || op == OP_SUB)
         add_or_subtract(w, op, a, b, to);
     else if (op == OP_MUL)
@@ -128,83 +103,49 @@ static const char *unary_of(const uint8_t *pc, value_t *v) {
     return *pc == OP_POWI ? arith_power(v, code_int8(pc + 1)) : arith_unary(*pc, v);
 }
 
-static __attribute__((noinline)) void unary(work_t *w, const uint8_t *pc, operand_t a, value_t *to) {
+static __attribute__((noinline)) void unary(eval_row_work_t *w, const uint8_t *pc, eval_row_operand_t a, value_t *to) {
     for (int k = 0; k < w->n; k++, a.at += a.step, to++) {
         value_t v = *a.at;
-        note(w, k, unary_of(pc, &v));
+        eval_row_note(w, k, unary_of(pc, &v));
         *to = v;
     }
 }
 
-static __attribute__((noinline)) void real_slow(work_t *w, int k, num_t (*f)(num_t), const value_t *a, value_t *to) {
-    if (a->kind == VALUE_UNDEF) {
-        *to = *a;
-        return;
-    }
-    if (put(to, num_double(f(value_num(*a))))) w->dead |= (uint32_t)1 << k;
-}
-
-static __attribute__((noinline)) void real_function(work_t *w, num_t (*f)(num_t), operand_t a, value_t *to) {
-    for (int k = 0; k < w->n; k++, a.at += a.step, to++) {
-        if (NUM_FAST_RARE(a.at->kind != VALUE_REAL)) {
-            real_slow(w, k, f, a.at, to);
-            continue;
-        }
-        const num_t r = f(real_of(a.at));
-        if (NUM_FAST_RARE(put(to, num_double((num_t){r.m, r.e, r.undef})))) w->dead |= (uint32_t)1 << k;
-    }
-}
-
-#if CONFIG_ROW_EXP
-static __attribute__((noinline)) void exponential(work_t *w, operand_t a, value_t *to) {
-    for (int k = 0; k < w->n; k++, a.at += a.step, to++) {
-        if (NUM_FAST_RARE(a.at->kind != VALUE_REAL || a.at->m >> 32 == 0 || a.at->e > -53)) {
-            real_slow(w, k, func_exp, a.at, to);
-            continue;
-        }
-        const int64_t m = a.at->m;
-        const int32_t e = a.at->e, steps = exp_steps(m, e);
-        const exp_core_t r = exp_reduced(steps, exp_rest(m, e, steps));
-        if (NUM_FAST_RARE(put(to, num_double_round_words(r.m, r.e, 0)))) w->dead |= (uint32_t)1 << k;
-    }
-}
-#endif
-
-static __attribute__((noinline)) void any_function(work_t *w, lang_t *l, const uint8_t *pc, const operand_t *a,
-                                                   value_t *to) {
+static __attribute__((noinline)) void any_function(eval_row_work_t *w, lang_t *l, const uint8_t *pc,
+                                                   const eval_row_operand_t *a, value_t *to) {
     for (int k = 0; k < w->n; k++) {
         value_t args[ARGS];
         for (int i = 0; i < pc[2]; i++) args[i] = a[i].at[k * a[i].step];
-        note(w, k, BUILTINS[pc[1]].any(l, args, pc[2]));
+        eval_row_note(w, k, BUILTINS[pc[1]].any(l, args, pc[2]));
         to[k] = args[0];
     }
 }
 
 /* rand(), which is mostly asked for the next number. */
-static __attribute__((noinline)) void random_function(work_t *w, lang_t *l, const uint8_t *pc, int32_t (*seed)[2],
-                                                      operand_t a, value_t *to) {
+static __attribute__((noinline)) void random_function(eval_row_work_t *w, lang_t *l, const uint8_t *pc,
+                                                      int32_t (*seed)[2], eval_row_operand_t a, value_t *to) {
     for (int k = 0; k < w->n; k++, a.at += a.step, to++) {
         if (a.at->m == 0 && a.at->kind != VALUE_UNDEF) {
-            put(to, noise_next(seed[k]));
+            eval_row_put(to, noise_next(seed[k]));
             continue;
         }
         memcpy(l->seed, seed[k], sizeof l->seed);
         value_t v = *a.at;
-        note(w, k, BUILTINS[pc[1]].any(l, &v, 1));
+        eval_row_note(w, k, BUILTINS[pc[1]].any(l, &v, 1));
         *to = v;
         memcpy(seed[k], l->seed, sizeof l->seed);
     }
 }
 
 /* The operand behind OP_LOCAL or OP_ARG. */
-static operand_t local(const eval_row_t *r, const value_t *area, int width, int i) {
-    if (i == 0) return (operand_t){r->column, r->stride};
-    if (i == 1) return (operand_t){r->row, 0};
+static eval_row_operand_t local(const eval_row_t *r, const value_t *area, int width, int i) {
+    if (i == 0) return (eval_row_operand_t){r->column, r->stride};
+    if (i == 1) return (eval_row_operand_t){r->row, 0};
     i -= 1; /* x and y are counted, the first of a column stands behind x */
-    if (i <= r->per_column) return (operand_t){r->column + i, r->stride};
+    if (i <= r->per_column) return (eval_row_operand_t){r->column + i, r->stride};
     i -= r->per_column;
-    if (i <= r->per_row) return (operand_t){r->row + i, 0};
-    return (operand_t){area + (i - 1 - r->per_row) * (width + 1), 1};
+    if (i <= r->per_row) return (eval_row_operand_t){r->row + i, 0};
+    return (eval_row_operand_t){area + (i - 1 - r->per_row) * (width + 1), 1};
 }
 
 /* A constant or a variable; false if that is not defined. */
@@ -233,9 +174,9 @@ bool eval_row(lang_t *l, const eval_row_t *r, int width, int n, num_t *out) {
     const int kept = pc[0] == OP_FRAME ? pc[1] : 0;
     if (kept) pc += 2;
     value_t *area = l->stack + kept * (width + 1); /* of the next operand */
-    operand_t stack[DEPTH], *top = stack;          /* one behind the last */
-    stack[0] = (operand_t){area, 0};               /* the result is there, whatever the analyser thinks of code */
-    work_t w = {.n = n};
+    eval_row_operand_t stack[DEPTH], *top = stack; /* one behind the last */
+    stack[0] = (eval_row_operand_t){area, 0};      /* the result is there, whatever the analyser thinks of code */
+    eval_row_work_t w = {.n = n};
     for (; *pc != OP_RET && !w.failed; pc += 1 + code_operands(*pc)) {
         const uint8_t op = *pc;
         if (op == OP_LOCAL || op < OP_VAR) {
@@ -245,20 +186,15 @@ bool eval_row(lang_t *l, const eval_row_t *r, int width, int n, num_t *out) {
         }
         if (is_leaf(op)) {
             if (!constant(l, pc, area + width)) return false;
-            *top++ = (operand_t){area + width, 0};
+            *top++ = (eval_row_operand_t){area + width, 0};
             area += width + 1;
             continue;
         }
         const int takes = is_binary(op) ? 2 : op == OP_FUNC ? pc[2] : 1;
         value_t *to = area - takes * (width + 1);
         top -= takes;
-#if CONFIG_ROW_EXP
-        if (op == OP_REAL1 && BUILTINS[pc[1]].real1 == func_exp)
-            exponential(&w, top[0], to);
-        else
-#endif
-            if (op == OP_REAL1)
-            real_function(&w, BUILTINS[pc[1]].real1, top[0], to);
+        if (op == OP_REAL1)
+            eval_row_real(&w, BUILTINS[pc[1]].real1, top[0], to);
         else if (op == OP_FUNC && BUILTINS[pc[1]].flags & BUILTIN_IMPURE)
             random_function(&w, l, pc, r->seed, top[0], to);
         else if (op == OP_FUNC)
@@ -274,7 +210,7 @@ bool eval_row(lang_t *l, const eval_row_t *r, int width, int n, num_t *out) {
             top++;
             continue;
         }
-        *top++ = (operand_t){to, 1};
+        *top++ = (eval_row_operand_t){to, 1};
         area = to + width + 1;
     }
     if (w.failed) return false;

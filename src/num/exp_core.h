@@ -26,11 +26,6 @@ static inline int32_t exp_scaled_short(int32_t a, int32_t b) {
     return (a >> 16) * b * 2 + (((a & 0xffff) * b) >> 15);
 }
 
-/* The upper word of a, rounded; what is left, the lower one, then has a sign. */
-static inline int32_t exp_upper(words_t a) {
-    return (int32_t)(words_hi(a) + (words_lo(a) >> 31));
-}
-
 /* a / 2^30, to nearest. */
 static inline int32_t exp_from_q30(words_t a) {
     a = words_add(a, words(0, 1u << 29));
@@ -39,8 +34,8 @@ static inline int32_t exp_from_q30(words_t a) {
 
 /* 2^(k/64) * e^r, r in Q70 with |r| < 0.00545 (2^62.5). Worst error 2^-55: that of the cubic term. */
 static inline __attribute__((always_inline)) exp_core_t exp_reduced(int32_t k, words_t r) {
-    const int32_t high = exp_upper(r), low = (int32_t)words_lo(r); /* Q38, 31 bits */
-    words_t square = words_square_s32(high);                       /* Q76, below 2^61, to 2^-60 */
+    const int32_t high = words_upper(r), low = (int32_t)words_lo(r); /* Q38, 31 bits */
+    words_t square = words_square_s32(high);                         /* Q76, below 2^61, to 2^-60 */
     square = words_add(square, words_of_s32(exp_scaled_short(high, low)));
     /* 1/6 + r/24 + r^2/120 + r^3/720, Q33; the next term is below 2^-58. The inner ones count for little: a product of
      * 32 bits has enough. */
@@ -53,7 +48,7 @@ static inline __attribute__((always_inline)) exp_core_t exp_reduced(int32_t k, w
     /* e^r - 1, Q70, below 2^62.5 */
     const words_t p = words_add(words_add(r, words_sar(square, 7)), words_sar(cube, 17));
     words_t u = words_of(func_tables_exp2[k & 63]); /* Q62 */
-    const int32_t p_high = exp_upper(p), t_high = exp_upper(u);
+    const int32_t p_high = words_upper(p), t_high = words_upper(u);
     const int32_t rest = words_mulhi_s32(t_high, (int32_t)words_lo(p)) + words_mulhi_s32((int32_t)words_lo(u), p_high);
     const words_t tp = words_add(words_mul_s32(t_high, p_high), words_of_s32(rest + 32)); /* Q68, to 3 units */
     u = words_add(u, words_sar(tp, 6));                                                   /* Q62, in [0.994, 2) */

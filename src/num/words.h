@@ -168,6 +168,10 @@ static inline uint64_t words_join(words_t a) {
 static inline words_t words_of_s32(int32_t a) {
     return words((uint32_t)(a >> 31), (uint32_t)a);
 }
+/* The upper word of a, rounded; what is left, the lower one, then has a sign. */
+static inline int32_t words_upper(words_t a) {
+    return (int32_t)(words_hi(a) + (words_lo(a) >> 31));
+}
 /* words_sar by any n from 0 on. */
 static inline words_t words_sar_far(words_t a, int n) {
     if (n >= 32) {

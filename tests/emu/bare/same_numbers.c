@@ -1,7 +1,8 @@
-/* same_numbers.c - what has ways of its own on a core of 32 bits: products, arithmetic of doubles, exp. Nothing
+/* same_numbers.c - what has ways of its own on a core of 32 bits: products, arithmetic of doubles, exp, sin. Nothing
  * of it can be left out. */
 #include "num/func.h"
 #include "num/num_double.h"
+#include "num/sin_core.h"
 #include "tests/emu/bare/bare.h"
 #include "tests/emu/bare/same.h"
 
@@ -30,6 +31,8 @@ void same_scene(uint64_t seed, same_t *s) {
         same_enter(s, (int64_t)wide.lo, " wide product\n");
         enter(s, num_double_div(x, y), " quotient\n");
         enter(s, num_double_sqrt(y), " root\n");
+        const sin_core_t sine = sin_core(words_of(ints_abs64(y.m)), -53 - (int)(c & 31), b & 64);
+        same_enter(s, sine.sure ? (int64_t)words_join(sine.m) : 0, " sine\n");
         enter(s, func_exp(num_ldexp(x, -54)), " exp\n");
     }
 }
