@@ -1,9 +1,9 @@
 /* eval_row_real.c - see eval_row_real.h. Functions apart: a small core keeps more in registers. */
 #include "lang/eval_row_real.h"
 #include "lang/eval_row.h"
+#include "num/double_words.h"
 #include "num/exp_core.h"
 #include "num/func.h"
-#include "num/num_double.h"
 #include "num/sin_core.h"
 
 #if EVAL_ROW_MAX > 1
@@ -33,7 +33,8 @@ static __attribute__((noinline)) void real_any(eval_row_work_t *w, num_t (*f)(nu
 
 static __attribute__((noinline)) void real_root(eval_row_work_t *w, num_t (*f)(num_t), eval_row_operand_t a,
                                                 value_t *to) {
-    EACH_REAL(true, num_double_sqrt(eval_row_num(a.at)))
+    EACH_REAL(true, CONFIG_ROW_FUNCTIONS && CONFIG_DOUBLE_WORDS ? double_words_sqrt(eval_row_num(a.at))
+                                                                : num_double_sqrt(eval_row_num(a.at)))
 }
 
 #if CONFIG_ROW_FUNCTIONS

@@ -60,6 +60,11 @@ static void arithmetic_is_ieee(void **state) {
         assert_same(num_double_add(na, nb), a + b, a, '+', b);
         assert_same(num_double_mul(na, nb), a * b, a, '*', b);
         if (b == 0) continue;
+#if CONFIG_DOUBLE_WORDS
+        num_t factor = nb;
+        factor.m = ints_with_sign(ints_abs64(nb.m) & ~(uint64_t)UINT32_MAX, nb.m);
+        if (a != 0) assert_same(double_words_mul_short(na, factor), a * to_double(factor), a, '*', to_double(factor));
+#endif
         assert_same(num_double_div(na, nb), a / b, a, '/', b);
         assert_same(num_double_sqrt(num_abs(nb)), sqrt(fabs(b)), b, 'r', b);
         /* exact quotients and roots, and those next to a middle */
