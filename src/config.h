@@ -173,6 +173,13 @@ _Static_assert(CONFIG_DATA_COLUMNS < 64, "data_reader keeps one bit per column i
 #define CONFIG_ROW_POINTS 16
 #endif
 
+/* Single heights of a surface that are remembered where not all can be, a power of two: ends of lines are asked for
+ * several times in turn. 8 bytes each, for each surface; 0: none. */
+#ifndef CONFIG_HEIGHTS
+#define CONFIG_HEIGHTS 16
+#endif
+_Static_assert((CONFIG_HEIGHTS & (CONFIG_HEIGHTS - 1)) == 0, "CONFIG_HEIGHTS must be a power of two");
+
 /* 1: a core of 32 bits has quotients and roots of its own, by words (num/num_double.c); they are the same, three times
  * sooner where products of 64 bits and divisions are routines. 0.6 KB of code. */
 #ifndef CONFIG_DOUBLE_WORDS

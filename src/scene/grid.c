@@ -153,6 +153,14 @@ static inline void measure_height(grid_t *g, measure_t *m, const num_t *height) 
     }
 }
 
+static void forget(grid_t *g) {
+#if CONFIG_HEIGHTS > 0
+    for (int k = 0; k < CONFIG_HEIGHTS; k++) g->known[k].zi = GRID_UNKNOWN;
+#else
+    (void)g;
+#endif
+}
+
 int grid_measure(grid_t *g, const surface_t *src, const num_t *lo, const num_t *hi, int32_t *cache,
                  void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx) {
     bool any = false;
@@ -161,6 +169,7 @@ int grid_measure(grid_t *g, const surface_t *src, const num_t *lo, const num_t *
     *g = (grid_t){.src = src, .nx = src->nx, .ny = src->ny, .cache = NULL, .has_lo = lo != NULL, .has_hi = hi != NULL};
     if (lo != NULL) g->z_lo = *lo;
     if (hi != NULL) g->z_hi = *hi;
+    forget(g);
     num_t heights[CONFIG_ROW_POINTS];
     for (int32_t j = 0; j < g->ny; j++) {
         for (int32_t i = 0, n; i < g->nx; i += n) {
@@ -223,8 +232,23 @@ int32_t grid_row(grid_t *g, int32_t j, int32_t *zi, uint8_t *hole) {
     return holes;
 }
 
+#if CONFIG_HEIGHTS > 0
+/* As evaluated. */
+static bool remembered(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
+    grid_known_t *k = &g->known[(uint32_t)(i + 5 * j) % CONFIG_HEIGHTS];
+    if (k->i != i || k->j != j || k->zi == GRID_UNKNOWN) {
+        const bool defined = evaluated(g, i, j, zi);
+        *k = (grid_known_t){(uint16_t)i, (uint16_t)j, defined ? *zi : GRID_HOLE};
+    }
+    *zi = k->zi;
+    return k->zi != GRID_HOLE;
+}
+#else
+#define remembered evaluated
+#endif
+
 bool grid_height(grid_t *g, int32_t i, int32_t j, int32_t *zi) {
-    return g->cache == NULL ? evaluated(g, i, j, zi) : grid_cached_height(g, i, j, zi);
+    return g->cache == NULL ? remembered(g, i, j, zi) : grid_cached_height(g, i, j, zi);
 }
 
 /* Is v between the coordinates of points 0 and n - 1, or less than `by` beyond? */

@@ -9,10 +9,18 @@
 #ifndef GRID_H
 #define GRID_H
 
+#include "config.h"
 #include "scene/surface.h"
 #include <stddef.h>
 
-#define GRID_SIDE_MAX 65536 /* points along one side */
+#define GRID_SIDE_MAX 65536          /* points along one side */
+#define GRID_HOLE INT32_MIN          /* a height that is none, where heights are kept; and ... */
+#define GRID_UNKNOWN (INT32_MIN + 1) /* ... one that is not there */
+
+typedef struct grid_known {
+    uint16_t i, j;
+    int32_t zi; /* or GRID_HOLE, or GRID_UNKNOWN: nothing */
+} grid_known_t;
 
 typedef struct grid {
     const surface_t *src;
@@ -27,6 +35,9 @@ typedef struct grid {
     int64_t holes;     /* undefined points */
     int64_t evaluated; /* points evaluated so far: the cost of a small memory shows here */
     int32_t *cache;    /* nx * ny heights or NULL; GRID_HOLE marks a hole inside the cache only */
+#if CONFIG_HEIGHTS > 0
+    grid_known_t known[CONFIG_HEIGHTS]; /* without a cache: single heights that were asked for lately */
+#endif
 } grid_t;
 
 /* Measures src. cache may be NULL or hold nx * ny entries, and must outlive g. lo, hi: limits or NULL.
@@ -40,7 +51,6 @@ int32_t grid_row(grid_t *g, int32_t j, int32_t *zi, uint8_t *hole);
 /* One height; false at a hole. */
 bool grid_height(grid_t *g, int32_t i, int32_t j, int32_t *zi);
 /* The same of a grid with a cache, inline. */
-#define GRID_HOLE INT32_MIN /* in the cache */
 static inline bool grid_cached_height(const grid_t *g, int32_t i, int32_t j, int32_t *zi) {
     *zi = g->cache[(int64_t)j * g->nx + i];
     return *zi != GRID_HOLE;
