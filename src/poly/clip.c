@@ -33,7 +33,7 @@ static int lay_out(clip_t *c, void *mem, size_t bytes) {
 
 /* Writes the edges of one contour from seg[n] on. A vertex that is the right end of both its edges needs a segment of
  * no length to be met at all. Returns the new n or an error. */
-static int32_t read_contour(const poly_vertex_t *v, int32_t vertices, int side, clip_seg_t *seg, int32_t n,
+static int32_t read_contour(const poly_vertex_t *v, int32_t vertices, int side, bool tagged, clip_seg_t *seg, int32_t n,
                             int32_t most) {
     int32_t first = n;
     bool was_forward = false, first_forward = false;
@@ -51,7 +51,7 @@ static int32_t read_contour(const poly_vertex_t *v, int32_t vertices, int side, 
             seg[n++] = (clip_seg_t){.l = a, .r = a};
         }
         clip_seg_t *s = &seg[n++];
-        *s = (clip_seg_t){.l = forward ? a : b, .r = forward ? b : a, .tag = side ? POLY_CUT : v[i].tag};
+        *s = (clip_seg_t){.l = forward ? a : b, .r = forward ? b : a, .tag = tagged ? v[i].tag : POLY_CUT};
         s->w[side] = forward ? 1 : -1;
         was_forward = forward;
     }
@@ -66,7 +66,7 @@ static int32_t read_edges(clip_t *c, const clip_job_t *job) {
         const poly_t *p = side ? &job->clip : &job->subject;
         int32_t from = 0;
         for (int32_t k = 0; k < p->contours; from = p->end[k++]) {
-            n = read_contour(p->v + from, p->end[k] - from, side, c->in, n, most);
+            n = read_contour(p->v + from, p->end[k] - from, side, !side || c->tagged, c->in, n, most);
             if (n < 0) return n;
         }
     }
@@ -110,8 +110,8 @@ static int run(clip_t *c, int32_t n) {
     }
 }
 
-int clip_run_by(clip_t *c, const clip_job_t *job, void *mem, size_t bytes, bool stretches) {
-    *c = (clip_t){.fill = job->fill, .result = {job->result[0], job->result[1]}};
+static int run_by(clip_t *c, const clip_job_t *job, bool tagged, void *mem, size_t bytes, bool stretches) {
+    *c = (clip_t){.fill = job->fill, .result = {job->result[0], job->result[1]}, .tagged = tagged};
     size_t left = bytes;
     int32_t n = stretches ? clip_find_stretches(c, job, mem, &left) : 0;
     if (n == 0) c->stretches = 0;
@@ -121,7 +121,18 @@ int clip_run_by(clip_t *c, const clip_job_t *job, void *mem, size_t bytes, bool 
     return n < 0 ? n : run(c, n);
 }
 
+int clip_run_by(clip_t *c, const clip_job_t *job, void *mem, size_t bytes, bool stretches) {
+    return run_by(c, job, false, mem, bytes, stretches);
+}
+
+static bool is_large(const clip_job_t *job) {
+    return poly_vertices(&job->subject) + poly_vertices(&job->clip) >= LARGE;
+}
+
 int clip_run(clip_t *c, const clip_job_t *job, void *mem, size_t bytes) {
-    bool large = poly_vertices(&job->subject) + poly_vertices(&job->clip) >= LARGE;
-    return clip_run_by(c, job, mem, bytes, large);
+    return run_by(c, job, false, mem, bytes, is_large(job));
+}
+
+int clip_run_tagged(clip_t *c, const clip_job_t *job, void *mem, size_t bytes) {
+    return run_by(c, job, true, mem, bytes, is_large(job));
 }

@@ -77,6 +77,7 @@ typedef struct clip {
     bool rounded, unsorted; /* in this sweep: a crossing was rounded; one came out before the sweep line */
     bool snap;              /* edges that pass within half a unit of a vertex are drawn to it */
     bool full;
+    bool tagged; /* clip_run_tagged */
     struct {
         int32_t sweeps, crossings, most_edges; /* of the last clip_run */
     } stats;
@@ -84,6 +85,9 @@ typedef struct clip {
 
 /* Builds the graph in mem (aligned to 8 bytes). Returns 0; ERR_FULL; ERR_VALUE for a coordinate beyond POLY_LIMIT. */
 int clip_run(clip_t *c, const clip_job_t *job, void *mem, size_t bytes);
+
+/* The same, but edges of the clip polygon keep their tags, too. Where both have one, either. */
+int clip_run_tagged(clip_t *c, const clip_job_t *job, void *mem, size_t bytes);
 
 /* Where a result goes: arrays of the caller, filled from n and contours on (so results can be appended). */
 typedef struct clip_out {
@@ -97,7 +101,7 @@ typedef struct clip_out {
 /* Edges on the border of a result, before it is traced: so many vertices, and a third of it contours, are enough. */
 int32_t clip_count(const clip_t *c, int which);
 /* Appends result number which (0 or 1), once for each clip_run. Edges of the subject keep their tags, others get
- * POLY_CUT; vertices in the middle of a straight edge are left out. Returns 0 or ERR_FULL. */
+ * POLY_CUT (but for clip_run_tagged); vertices in the middle of a straight edge are left out. Returns 0 or ERR_FULL. */
 int clip_trace(clip_t *c, int which, clip_out_t *out);
 
 #endif

@@ -39,7 +39,7 @@ typedef struct stretches {
 
 /* Copies a polygon without the vertices that repeat the next one, and each contour's first again after its last.
  * Returns the new n, or -1. */
-static int32_t copy(poly_vertex_t *v, int32_t n, const poly_t *p, bool clip) {
+static int32_t copy(poly_vertex_t *v, int32_t n, const poly_t *p, bool tagged) {
     int32_t from = 0;
     for (int32_t k = 0; k < p->contours; from = p->end[k++]) {
         int32_t first = n;
@@ -47,7 +47,7 @@ static int32_t copy(poly_vertex_t *v, int32_t n, const poly_t *p, bool clip) {
             if (!clip_in_range(p->v[i].at)) return -1;
             if (poly_same(p->v[i].at, p->v[i + 1 < p->end[k] ? i + 1 : from].at)) continue;
             v[n] = p->v[i];
-            if (clip) v[n].tag = POLY_CUT;
+            if (!tagged) v[n].tag = POLY_CUT;
             n++;
         }
         if (n == first) continue;
@@ -193,8 +193,8 @@ int32_t clip_find_stretches(clip_t *c, const clip_job_t *job, void *mem, size_t 
     stretches_t s = {.c = c, .most = edges - edges / 4};
     s.list = c->in + edges + edges / 2;
     s.spare = s.list + s.most;
-    s.clip = copy(c->v, 0, &job->subject, false);
-    int32_t n = s.clip < 0 ? -1 : copy(c->v, s.clip, &job->clip, true);
+    s.clip = copy(c->v, 0, &job->subject, true);
+    int32_t n = s.clip < 0 ? -1 : copy(c->v, s.clip, &job->clip, c->tagged);
     if (n <= 0) return 0;
     s.tall = is_tall(c->v, n);
     for (int32_t at = 0; at < n;) at = cut_contour(&s, at, n < MANY ? LONGEST : LONGEST_OF_MANY);

@@ -87,6 +87,24 @@ static void test_tags(void **state) {
     for (int k = 0; k < 4; k++) assert_int_equal(r.v[k].tag, shared[k]);
 }
 
+static void test_tags_of_both(void **state) {
+    (void)state;
+    shape_t s, c, r;
+    clear(&s), clear(&c);
+    box(&s, 0, 0, 10, 10);
+    box(&c, 5, 5, 15, 15);
+    for (int k = 0; k < 4; k++) c.v[k].tag += 10;
+    const clip_job_t job = {s.poly, c.poly, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_NOTHING}};
+    assert_int_equal(clip_run_tagged(&work, &job, memory, sizeof memory), 0);
+    clear(&r);
+    assert_int_equal(clip_trace(&work, 0, &r.out), 0);
+    r.poly.contours = r.out.contours;
+    expect(&r, 1, 4, 50);
+    int64_t sum = 0;
+    for (int32_t k = 0; k < r.out.n; k++) sum += (int64_t)1 << r.v[k].tag;
+    assert_int_equal(sum, 1 << 1 | 1 << 2 | 1 << 10 | 1 << 13);
+}
+
 static void test_contacts(void **state) {
     (void)state;
     shape_t s, c, r;
@@ -216,7 +234,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_overlap),    cmocka_unit_test(test_tags),     cmocka_unit_test(test_contacts),
         cmocka_unit_test(test_holes),      cmocka_unit_test(test_rounding), cmocka_unit_test(test_nonzero),
-        cmocka_unit_test(test_capacities), cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_capacities), cmocka_unit_test(test_limits),   cmocka_unit_test(test_tags_of_both),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -114,7 +114,8 @@ static int show_part(area_t *a, int32_t piece, int32_t k) {
     if (err) return err;
     if (w.changed && f->sharp) area_roughen(a, f);
     const clip_job_t job = {w.subject, w.clip, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_NOTHING}};
-    err = clip_run(&a->clip, &job, (uint8_t *)a->clip_mem + used, a->clip_bytes - used);
+    /* where both have an edge of the body, rounding may have put the silhouette's a hair inside of the face's */
+    err = clip_run_tagged(&a->clip, &job, (uint8_t *)a->clip_mem + used, a->clip_bytes - used);
     const int32_t seen = err ? AREA_NONE : area_pool_clipped(&a->pool, k, &a->clip, 0, &err);
     if (seen == AREA_NONE) return err;
     const poly_t p = area_pool_poly(&a->pool, seen);
