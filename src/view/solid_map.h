@@ -1,14 +1,16 @@
 /* solid_map.h - solids on the page: the line space of their edges, and each vertex as integers for kernels.
  *
- * Two kinds of coordinates, for two needs:
- *   exact in space   the lattice of the scene (solid.h) and the eye on it: eye = (e, w), the point e / w, or for w == 0
- *                    the direction e towards the eye. Which side of a plane of the lattice the eye is on, or a vertex
- * of a plane through the eye and two vertices, is then a determinant without rounding. on the page      x, y in lat,
- * rounded once for each vertex (good within half a lat and a twentieth, 1/800 of a step), and a depth z that is linear
- * along a line's picture: in parallel views the distance along the lines of sight, in perspective -1/E, both scaled to
- * SOLID_Z_BITS; smaller is nearer. A vertex behind the eye, or nearer than 2^-20 of the farthest, has no place on the
- * page: solid_map_is_behind(). Edges to one are cut: solid_map_edge(). Whatever ink such a piece gets is cut again,
- * exactly, by view/cut.
+ * Two kinds of coordinates, for two needs.
+ *
+ * Exact in space: the lattice of the scene (solid.h) and the eye on it: eye = (e, w), the point e / w, or for w == 0
+ * the direction e towards the eye. Which side of a plane of the lattice the eye is on, or a vertex of a plane through
+ * the eye and two vertices, is then a determinant without rounding.
+ *
+ * On the page: x, y in lat, rounded once for each vertex (good within half a lat and a twentieth, 1/800 of a step), and
+ * a depth z that is linear along a line's picture: in parallel views the distance along the lines of sight, in
+ * perspective -1/E, both scaled to SOLID_Z_BITS; smaller is nearer. A vertex behind the eye, or nearer than 2^-20 of
+ * the farthest, has no place on the page: solid_map_is_behind(). Edges to one are cut: solid_map_edge(). Whatever ink
+ * such a piece gets is cut again, exactly, by view/cut.
  *
  * Bits: e below 2^50, w at most 2^22, e - p w below 2^51, a plane through the eye and two vertices (difference times e
  * - p w) 2^80, times a difference 2^110: wide_t. Cost: nine products a vertex, and in perspective three divisions. */

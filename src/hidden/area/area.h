@@ -58,7 +58,7 @@ typedef struct area_sink {
     /* Wires of an edge follow that take the place of what polygons ended in it: those of one of its faces end roughly
      * (area_wires.h, AREA_ROUGH). May be NULL: then there are none. */
     void (*again)(void *ctx, int32_t edge);
-    int32_t window_faces; /* most polygons in a window of the screen subdivision; 0: what was found to be best;
+    int32_t window_faces; /* most polygons in a window of the screen subdivision; 0: halved where that spares work;
                              INT32_MAX: one window, with as many pieces as the memory takes */
     bool overlap;         /* windows reach into the next by BORDERS_OVERLAP_LAT (area_border.h) */
     bool one_by_one;      /* without consolidation (area_body.h): to compare */

@@ -65,10 +65,11 @@ static int32_t count_in(const area_t *a, const area_box_t *w) {
     return n;
 }
 
-/* More polygons than this in a window, and its halves take less work together: lateral sorting grows with the square.
- */
-#define WINDOW_FACES 400
 #define WINDOWS_DEEP 24
+/* In comparisons of boxes, some 20 instructions: what it takes to cut a polygon for two windows (8,000 for each), and
+ * to look at a face for what is in two halves and to fill them. */
+#define CUT_WORTH 800
+#define LOOK_WORTH 8
 
 typedef struct area_window {
     area_box_t box;
@@ -235,11 +236,23 @@ static bool halve_usefully(const area_t *a, const area_window_t *w, int32_t face
            8 * ((int64_t)count_in(a, &half[0].box) + count_in(a, &half[1].box)) <= (int64_t)eighths * faces;
 }
 
+/* Halves a window if that spares work: lateral sorting compares half the square of its polygons, but what both halves
+ * have is cut and sorted twice. */
+static bool halve_to_spare(const area_t *a, const area_window_t *w, int32_t faces, area_window_t half[2]) {
+    const int64_t n = faces, look = (int64_t)LOOK_WORTH * a->faces.n;
+    if (n * n / 4 <= look || !halve(w, a->faces.lattice.bits, half)) return false;
+    const int64_t low = count_in(a, &half[0].box), high = count_in(a, &half[1].box);
+    return (n * n - low * low - high * high) / 2 > CUT_WORTH * (low + high - n) + look;
+}
+
 /* Sorts a window of so many faces, or halves it. */
 static int sort_or_halve(area_t *a, const area_window_t *w, int32_t faces, area_window_t half[2], bool *halved) {
-    int32_t most = a->sink->window_faces ? a->sink->window_faces : WINDOW_FACES;
+    const int32_t most = a->sink->window_faces;
     bool full = faces > a->pool.pieces_max / PIECES_PER_FACE;
-    *halved = (full || faces > most) && halve_usefully(a, w, faces, half, full ? 15 : 14);
+    if (full || most)
+        *halved = (full || faces > most) && halve_usefully(a, w, faces, half, full ? 15 : 14);
+    else
+        *halved = halve_to_spare(a, w, faces, half);
     if (*halved || faces == 0) return 0;
     const area_box_t box = widened(a, &w->box);
     int err = full ? ERR_FULL : sort_window(a, &box);
