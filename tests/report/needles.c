@@ -13,7 +13,8 @@ static double steps_of(double mm) {
     return mm / JUDGE_STEP_MM;
 }
 
-/* The area sort's limit: a needle that begins behind a plate and comes out through it, its edge shared with a wall. */
+/* Was the area sort's limit: a needle that begins behind a plate and comes out through it, its edge shared with a wall.
+ */
 static void needle(solid_scene_t *s, double k) {
     static const double v[][3] = {{-2.0145, -2.3882, .6855}, {-1.7544, -3.1343, 3.1984}, {-1.7544, -3.1343, 3.1984},
                                   {-1.9727, -.8808, 1.8303}, {-2.0581, -2.5028, .7347},  {-.5395, -2.5028, .802},
@@ -34,10 +35,14 @@ static void needle(solid_scene_t *s, double k) {
 void needles_write(const char *dir) {
     FILE *out = report_create(dir, "needles.tsv");
     fputs("width_steps\tconvex_wrong_steps\tarea_wrong_steps\n", out);
-    puts("\nWhere the area sort ends: a needle that shares an edge with a wall and comes out through a plate, thinner "
-         "and thinner. Width on the page where it is widest; the longest wrong run. A unit of its lattice is 1/12,800 "
-         "of a step: where what overlaps is narrower than one, nothing of it is left to hide an edge.\n\n"
-         "| width (steps) | convex: wrong | area: wrong |\n|--:|--:|--:|");
+    puts(
+        "\nWhat is narrow: a needle that shares an edge with a wall and comes out through a plate, thinner and "
+        "thinner. "
+        "Width on the page where it is widest; the longest wrong run. A unit of the area sort's lattice is 1/12,800 of "
+        "a step, and what is narrower than 16 may be closed by rounding: edges of what is seen in so narrow a strip "
+        "are "
+        "held against the faces as lines.\n\n"
+        "| width (steps) | convex: wrong | area: wrong |\n|--:|--:|--:|");
     for (double k = 300; k > .02; k /= sqrt(10)) {
         solid_scene_t s;
         solid_stage_t t;

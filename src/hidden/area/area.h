@@ -14,7 +14,10 @@
  * drawn. Faces need not be convex; closed objects show their outer sides only.
  *
  * Edges are drawn where a visible polygon ends in them, each once. A crossing is rounded to the lattice (area_place.h,
- * 1/12,800 of a step) each time an area is cut, and welds move borders by a few units (area_weld.h).
+ * 1/12,800 of a step) each time an area is cut, and welds move borders by a few units (area_weld.h): ends of edges are
+ * off by less than a quarter step. Where that cannot be had from polygons, since they overlap by no more than rounding
+ * makes of nothing (1/800 of a step), the edge is held against the faces as a line in space (area_wires.h); hatching
+ * and shadows may be wrong in such strips.
  *
  * The screen subdivision of their section "Screen subdivision" bounds memory: a window with more polygons than the
  * memory takes is halved, and the halves are done one after the other; pieces of edges meet again afterwards. Where

@@ -141,22 +141,6 @@ int area_pool_parts(area_pool_t *pool, int32_t face, clip_t *c, int which, area_
     return 0;
 }
 
-int32_t area_pool_copy(area_pool_t *pool, int32_t piece) {
-    const area_piece_t *from = &pool->piece[piece];
-    if (from->block == AREA_NONE) return area_pool_whole(pool, from->face);
-    const int32_t size = pool->word[from->block + SIZE];
-    if (size > pool->words_max - pool->words) squeeze(pool);
-    const int32_t k = size > pool->words_max - pool->words ? AREA_NONE : take_piece(pool);
-    if (k == AREA_NONE) return k;
-    memcpy(pool->word + pool->words, pool->word + from->block, (size_t)size * sizeof(int32_t));
-    pool->piece[k] = *from;
-    pool->piece[k].block = pool->words;
-    pool->word[pool->words + OWNER] = k;
-    pool->words += size;
-    if (pool->words > pool->words_most) pool->words_most = pool->words;
-    return k;
-}
-
 void area_pool_drop(area_pool_t *pool, int32_t piece) {
     area_piece_t *p = &pool->piece[piece];
     if (p->block != AREA_NONE) {

@@ -41,8 +41,6 @@ int32_t area_pool_clipped(area_pool_t *pool, int32_t face, clip_t *c, int which,
 /* The same, a piece for each of its parts that hang together (a contour and its holes), so that each can be in front of
  * or behind something as a whole. Returns 0 or ERR_FULL. */
 int area_pool_parts(area_pool_t *pool, int32_t face, clip_t *c, int which, area_list_t *list);
-/* A copy of a piece that was cut; AREA_NONE if there is no room. */
-int32_t area_pool_copy(area_pool_t *pool, int32_t piece);
 void area_pool_drop(area_pool_t *pool, int32_t piece);
 /* Its contours. Valid until the next call that makes a piece. */
 poly_t area_pool_poly(area_pool_t *pool, int32_t piece);

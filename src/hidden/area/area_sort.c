@@ -41,20 +41,6 @@ static int cut_through(area_t *a, int32_t piece, int32_t by, area_list_t *in) {
     return err;
 }
 
-/* A piece no wider than a weld, beside a border of the clip polygon, may count as outside of it; if it is in front it
- * may be all there is of a face whose border hides what is drawn there. Then it is on both lists: its face clips the
- * inside one, and what is behind that is hidden rightly whatever made it a clip polygon. */
-static int keep_front(area_t *a, int32_t piece, int32_t by, area_list_t *in) {
-    const poly_t p = area_pool_poly(&a->pool, piece);
-    const int32_t face = a->pool.piece[piece].face;
-    if (a->faces.face[face].on_stack || !area_is_thin(&p, &a->pool.piece[piece].box)) return 0;
-    if (area_compare(a, &p, face, by) != AREA_IN_FRONT) return 0;
-    const int32_t copy = area_pool_copy(&a->pool, piece);
-    if (copy == AREA_NONE) return ERR_FULL;
-    area_list_add(&a->pool, in, copy);
-    return 0;
-}
-
 /* Clips a piece by face `by`: what is inside and not behind goes to *in, what is outside to *out. */
 static int clip_piece(area_t *a, int32_t piece, int32_t by, area_list_t *in, area_list_t *out) {
     area_pool_t *pool = &a->pool;
@@ -71,8 +57,6 @@ static int clip_piece(area_t *a, int32_t piece, int32_t by, area_list_t *in, are
     if (err) return err;
     if (w.changed && f->sharp) area_roughen(a, f);
     if (w.changed && a->faces.face[face].sharp) area_roughen(a, &a->faces.face[face]);
-    if (w.changed) err = keep_front(a, piece, by, in);
-    if (err) return err;
     const clip_job_t job = {w.subject, w.clip, CLIP_EVEN_ODD, {CLIP_INSIDE, CLIP_OUTSIDE}};
     err = clip_run(&a->clip, &job, (uint8_t *)a->clip_mem + used, a->clip_bytes - used);
     if (err) return err;

@@ -6,9 +6,11 @@
 #include "hidden/area/area.h"
 #include "hidden/area/area_face.h"
 
-/* What became of a face of the scene. AREA_ROUGH: it takes part, and rounding moves ends of its edges by a tenth of a
- * step or more, or parts of it were lost, in sharp corners or where another face cuts through it at a small angle. (Not
- * one with holes: where a hole runs along an edge neither is drawn, which only polygons know.) */
+/* What became of a face of the scene. AREA_ROUGH: it takes part, but polygons do not say all of its edges. Rounding
+ * moves their ends by a tenth of a step or more, or parts of it were lost: in sharp corners, where another face cuts
+ * through it at a small angle, where it is seen in a strip of no more than AREA_THIN; or an edge of it lies in the
+ * plane of what hides it. (Not one with holes: where a hole runs along an edge neither is drawn, which only polygons
+ * know.) */
 enum area_state { AREA_LEFT_OUT, AREA_TAKES_PART, AREA_TURNED_AWAY, AREA_ROUGH };
 
 /* Gives the visible parts of all such lines to sink->wire, from faces and each scene face's state. mem: scratch.
