@@ -11,13 +11,16 @@
 #define SCAN_MAX 128  /* ends looked at in one cell: whatever is in the same cell is near */
 #define FAR INT32_MAX /* beyond every square of a distance; twice that fits 32 bits */
 
-/* In a place: where the end is, marked when it has a link; which it is; and the place of the other end of its stroke,
- * or chain of strokes. */
+/* Which end is in a place, and the place of the other end of its stroke, or chain of strokes. */
+typedef struct place {
+    int32_t end, tip;
+} place_t;
+
+/* Where the ends are, marked when they have a link, lies together: that is what is looked through. */
 typedef struct places {
     int32_t n;
     spot_t *spot;
-    int32_t *end;
-    int32_t *tip;
+    place_t *place;
 } places_t;
 
 typedef struct match {
@@ -70,8 +73,7 @@ static int32_t measure(match_t *m) {
 
 static void take_places(places_t *p, int32_t **mem, int32_t n) {
     p->spot = (spot_t *)(void *)*mem;
-    p->end = *mem + n;
-    p->tip = *mem + 2 * (ptrdiff_t)n;
+    p->place = (place_t *)(void *)(*mem + n);
     *mem += 3 * (ptrdiff_t)n;
 }
 
@@ -132,10 +134,8 @@ static inline void put(match_t *m, places_t *to, spot_t a, int32_t end_a, spot_t
     const uint32_t i = start_of(m, a)[1]++, j = start_of(m, b)[1]++;
     to->spot[i] = a;
     to->spot[j] = b;
-    to->end[i] = end_a;
-    to->end[j] = end_b;
-    to->tip[i] = (int32_t)j;
-    to->tip[j] = (int32_t)i;
+    to->place[i] = (place_t){end_a, (int32_t)j};
+    to->place[j] = (place_t){end_b, (int32_t)i};
 }
 
 /* The pen's stroke has the ends that one more run would have: home, where it is entered, and where the pen is. */
@@ -158,7 +158,7 @@ static void enter_strokes(match_t *m, int32_t strokes) {
 
 /* Is there the first end of a chain of strokes in place k? */
 static inline bool is_left(const places_t *p, int32_t k) {
-    return !is_marked(p->spot[k]) && k < p->tip[k];
+    return !is_marked(p->spot[k]) && k < p->place[k].tip;
 }
 
 static void enter_left(match_t *m, int32_t chains, int32_t crowd) {
@@ -166,12 +166,12 @@ static void enter_left(match_t *m, int32_t chains, int32_t crowd) {
     places_t *to = &m->next;
     make_cells(m, 2 * chains, crowd);
     for (int32_t k = 0; k < from.n; k++) {
-        if (is_left(&from, k)) count(m, from.spot[k], from.spot[from.tip[k]]);
+        if (is_left(&from, k)) count(m, from.spot[k], from.spot[from.place[k].tip]);
     }
     add_up(m);
     for (int32_t k = 0; k < from.n; k++) {
-        const int32_t tip = from.tip[k];
-        if (is_left(&from, k)) put(m, to, from.spot[k], from.end[k], from.spot[tip], from.end[tip]);
+        const place_t *a = &from.place[k], *b = &from.place[a->tip];
+        if (is_left(&from, k)) put(m, to, from.spot[k], a->end, from.spot[a->tip], b->end);
     }
     to->n = 2 * chains;
     m->now = *to;
@@ -210,7 +210,7 @@ static inline uint32_t square_of(int32_t v) {
 static inline uint32_t partner(const match_t *m, int32_t x, int32_t y, uint32_t k) {
     const uint32_t *own = &m->start[y * m->nx + x], *up = own + m->nx;
     const spot_t *spot = m->now.spot, at = spot[k];
-    const uint32_t not = (uint32_t)m->now.tip[k];
+    const uint32_t not = (uint32_t)m->now.place[k].tip;
     best_t best = {FAR, NOWHERE};
     look(spot, at, not, k + 1, own[1], &best);
     const int32_t in_x = at.x - (x << m->shift_x), in_y = at.y - (y << m->shift_y);
@@ -224,15 +224,15 @@ static inline uint32_t partner(const match_t *m, int32_t x, int32_t y, uint32_t 
     return best.place;
 }
 
-static inline void link_places(const match_t *m, uint32_t a, uint32_t b) {
+static inline void link_places(const match_t *m, uint32_t i, uint32_t j) {
     const places_t *p = &m->now;
-    const int32_t tip_a = p->tip[a], tip_b = p->tip[b];
-    p->tip[tip_a] = tip_b;
-    p->tip[tip_b] = tip_a;
-    m->chain->pool->mate[p->end[a]] = ~p->end[b];
-    m->chain->pool->mate[p->end[b]] = ~p->end[a];
-    mark(&p->spot[a]);
-    mark(&p->spot[b]);
+    const place_t a = p->place[i], b = p->place[j];
+    p->place[a.tip].tip = b.tip;
+    p->place[b.tip].tip = a.tip;
+    m->chain->pool->mate[a.end] = ~b.end;
+    m->chain->pool->mate[b.end] = ~a.end;
+    mark(&p->spot[i]);
+    mark(&p->spot[j]);
 }
 
 /* Goes through all cells once. Returns how many links it has made. */
@@ -265,7 +265,7 @@ static void link_all(match_t *m, int32_t strokes) {
     }
     int32_t last = 0;
     while (is_marked(m->now.spot[last])) last++;
-    link_places(m, (uint32_t)last, (uint32_t)m->now.tip[last]);
+    link_places(m, (uint32_t)last, (uint32_t)m->now.place[last].tip);
 }
 
 int32_t *match_order(const chain_t *c, page_point_t at, page_point_t home, int32_t *strokes) {
