@@ -112,50 +112,33 @@ int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near
     return lost;
 }
 
-/* The end in place k, of all or of those that may have a neighbour. */
-static inline int32_t end_of(const chain_t *c, int32_t k) {
-    return few_of(c) ? few_of(c)[k] : k;
+/* The end in place k, of all or of those listed. */
+static inline int32_t end_of(const int32_t *list, int32_t k) {
+    return CONFIG_FETCH && list ? list[k] : k;
 }
 
-static inline void fetch_census(const chain_t *c, const census_t *census, int32_t e) {
-    if (CONFIG_FETCH && e + FETCH_CENSUS < 2 * c->pool->n) census_fetch(census, c->point[e + FETCH_CENSUS]);
+static inline void fetch_census(const chain_t *c, const census_t *census, const int32_t *list, int32_t k, int32_t n) {
+    if (CONFIG_FETCH && k + FETCH_CENSUS < n) census_fetch(census, c->point[end_of(list, k + FETCH_CENSUS)]);
 }
 
-/* Marks the ends that have certainly nobody near ALONE, the others FREE. The census is taken in the memory of the links
- * and buckets, which come after it. Returns how many are FREE. */
-static int32_t mark_alone(chain_t *c) {
-    pool_t *pool = c->pool;
-    const int32_t ends = 2 * pool->n;
+/* Marks those of n ends ALONE that have certainly nobody near, the others FREE, and lists these, if there is memory for
+ * a list. The census is taken in the memory of the links and buckets, which come after it, and counts on `tiled` ends.
+ * Returns how many are FREE. */
+static __attribute__((noinline)) int32_t mark_alone(chain_t *c, const int32_t *list, int32_t n, int32_t tiled) {
+    int32_t *const few = few_of(c);
     int32_t left = 0;
     census_t census;
-    census_init(&census, (uint32_t *)c->next, sizeof *c->next * 4 * (size_t)c->room, ends, c->shift - CENSUS_FINER);
-    for (int32_t e = 0; e < ends; e++) {
-        fetch_census(c, &census, e);
-        census_enter(&census, c->point[e]);
-    }
-    for (int32_t e = 0; e < ends; e++) {
-        fetch_census(c, &census, e);
-        const bool alone = census_is_alone(&census, c->point[e], c->near_lat);
-        pool->mate[e] = alone ? ALONE : FREE;
-        if (few_of(c)) few_of(c)[left] = e;
-        left += !alone;
-    }
-    return left;
-}
-
-/* Most of a rough surface's ends that are left have somebody near in the tiles only that share the bytes of theirs:
- * where they are fewer, fewer tiles do. Returns how many are FREE. */
-static int32_t mark_again(chain_t *c, int32_t n) {
-    int32_t left = 0;
-    census_t census;
-    census_init(&census, (uint32_t *)c->next, sizeof *c->next * 4 * (size_t)c->room, n * AGAIN,
-                c->shift - CENSUS_FINER);
-    for (int32_t k = 0; k < n; k++) census_enter(&census, c->point[few_of(c)[k]]);
+    census_init(&census, (uint32_t *)c->next, sizeof *c->next * 4 * (size_t)c->room, tiled, c->shift - CENSUS_FINER);
     for (int32_t k = 0; k < n; k++) {
-        const int32_t e = few_of(c)[k];
+        fetch_census(c, &census, list, k, n);
+        census_enter(&census, c->point[end_of(list, k)]);
+    }
+    for (int32_t k = 0; k < n; k++) {
+        const int32_t e = end_of(list, k);
+        fetch_census(c, &census, list, k, n);
         const bool alone = census_is_alone(&census, c->point[e], c->near_lat);
         c->pool->mate[e] = alone ? ALONE : FREE;
-        few_of(c)[left] = e;
+        if (few) few[left] = e;
         left += !alone;
     }
     return left;
@@ -163,11 +146,13 @@ static int32_t mark_again(chain_t *c, int32_t n) {
 
 /* Enters the ends that may have a neighbour. Returns in how many places they are (end_of). */
 static int32_t enter_all(chain_t *c) {
-    int32_t left = mark_alone(c), ends = 2 * c->pool->n;
-    if (few_of(c)) ends = left = mark_again(c, left);
+    int32_t ends = 2 * c->pool->n, left = mark_alone(c, NULL, ends, ends);
+    /* Most of a rough surface's ends that are left have somebody near in the tiles only that share the bytes of theirs:
+     * where they are fewer, fewer tiles do. */
+    if (few_of(c)) ends = left = mark_alone(c, few_of(c), left, left * AGAIN);
     make_buckets(c, few_of(c) ? left * BUCKETS : left, NOBODY);
     for (int32_t k = 0; k < ends; k++) {
-        const int32_t e = end_of(c, k);
+        const int32_t e = end_of(few_of(c), k);
         if (c->pool->mate[e] == FREE) chain_enter(c, e, c->point[e]);
     }
     return ends;
@@ -294,7 +279,7 @@ static void pair_here(chain_t *c, int32_t *cluster, int n) {
 static void fetch_ahead(const chain_t *c, int32_t k, int32_t ends) {
     const int32_t *mate = c->pool->mate;
     if (k + 2 * FETCH >= ends) return;
-    const int32_t later = end_of(c, k + 2 * FETCH), sooner = end_of(c, k + FETCH);
+    const int32_t later = end_of(few_of(c), k + 2 * FETCH), sooner = end_of(few_of(c), k + FETCH);
     if (mate[later] == FREE) __builtin_prefetch(bucket_of(c, c->point[later]));
     if (mate[sooner] != FREE) return;
     int32_t first = *bucket_of(c, c->point[sooner]);
@@ -307,7 +292,7 @@ static void fetch_ahead(const chain_t *c, int32_t k, int32_t ends) {
 void chain_pair(chain_t *c) {
     const int32_t ends = enter_all(c);
     for (int32_t p = 0; p < ends; p++) {
-        const int32_t e = end_of(c, p);
+        const int32_t e = end_of(few_of(c), p);
         int32_t cluster[CLUSTER_MAX];
         if (p % 16 == 0) pool_tick(c->pool);
         fetch_ahead(c, p, ends);
