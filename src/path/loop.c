@@ -96,15 +96,15 @@ static int32_t cut_run(chain_t *c, int32_t r, int64_t t, page_point_t at) {
     return 2 * s;
 }
 
-/* Opens the closed stroke through the run r, with a free end as found. Returns 1 if it stays alone. */
-static __attribute__((noinline)) int32_t open_at(chain_t *c, int32_t r, bool found, const meeting_t *m) {
+/* Opens the closed stroke through the run r, with a free end as found. */
+static __attribute__((noinline)) void open_at(chain_t *c, int32_t r, bool found, const meeting_t *m) {
     pool_t *p = c->pool;
     const int32_t k = m->start >> 1;
     int32_t e = 2 * k;
     bool at_end = found && (m->t == pool_end_t(p, 2 * k) || m->t == pool_end_t(p, 2 * k + 1));
     if (!found || (!at_end && (p->n == p->cap || p->n == c->room))) {
         cut_at_end(c, 2 * r);
-        return 1;
+        return;
     }
     if (at_end) {
         e += m->t == pool_end_t(p, 2 * k + 1);
@@ -117,19 +117,16 @@ static __attribute__((noinline)) int32_t open_at(chain_t *c, int32_t r, bool fou
     p->mate[far_of_loop] = m->free_end;
     p->mate[m->free_end] = far_of_loop;
     set_far_ends(p, e, far_of_other);
-    return 0;
 }
 
-int32_t loop_open(chain_t *c) {
+void loop_open(chain_t *c) {
     const pool_t *p = c->pool;
-    int32_t alone = 0;
     const int32_t runs = p->n;
     for (int32_t r = 0; r < runs; r++) {
         meeting_t m = {0};
         if (!chain_is_closed(p, r)) continue;
         pool_tick(p);
         const bool found = walk(c, 2 * r, &m);
-        alone += open_at(c, r, found, &m);
+        open_at(c, r, found, &m);
     }
-    return alone;
 }

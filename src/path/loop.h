@@ -11,8 +11,7 @@
 
 /* Enters the free ends that may be near a closed stroke; false if there is no such stroke. After chain_close. */
 bool loop_find(chain_t *c);
-/* Opens all closed strokes, after loop_find. May cut a run in two at a node, while the pool has room for it.
- * Returns how many strokes this leaves in addition to the open ones. */
-int32_t loop_open(chain_t *c);
+/* Opens all closed strokes, after loop_find. May cut a run in two at a node, while the pool has room for it. */
+void loop_open(chain_t *c);
 
 #endif
