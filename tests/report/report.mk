@@ -46,4 +46,4 @@ SOAK_TESTS := $(addprefix $(BUILDDIR)/tests/property/,test_metamorphic test_diff
 soak: $(SOAK_TESTS) $(BARE_SAME) ## random scenes and laws against the reference, new seeds every round, for SOAK_MINUTES (10)
 	$(Q)BUILDDIR=$(BUILDDIR) sh tests/report/soak.sh $(SOAK_MINUTES) $(SOAK_TESTS) tests/emu/test_same.sh
 .PHONY: soak
-$(BUILDDIR)/obj/tests/report/sheet.o: CPPFLAGS += $(HOST_CFLAGS)
+$(BUILDDIR)/obj/tests/report/sheet.o $(BUILDDIR)/obj/tests/report/report_clipper.o: CPPFLAGS += $(HOST_CFLAGS)

@@ -193,8 +193,9 @@ static const asked_t asked[] = {
     {"tiny ranges", {"a world of 1e-6"}},
     {"many", {"14x14 cubes", "random edges"}},
     {"holes, concave and open shapes", {"concave", "open"}},
-    {"cyclic overlap", {"two that overlap", "nine that overlap", "three that overlap", "order turns"}},
-    {"bodies that penetrate", {"bodies that penetrate"}},
+    {"a hole that touches its outer contour, or another", {"a hole", "holes that touch", "holes along"}},
+    {"cyclic overlap", {"two that overlap", "three that overlap", "nine that overlap", "thirteen that", "order turns"}},
+    {"bodies that penetrate", {"bodies that penetrate", "a face cut"}},
     {"degenerate: no area, there twice; lines alone", {"broken", "segments alone"}},
     {"haloes wider than edges", {"haloes wider"}},
 };
