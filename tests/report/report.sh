@@ -84,7 +84,7 @@ costs() {
     echo "gnuplot's hidden3d 23,900 / 40,700."
 }
 
-{ section hard && section hard_solids && section clipper; } >"$tmp/hard" && sh tests/report/boards.sh "$1" "$out" >"$tmp/boards" &
+{ section hard && section hard_solids && section clipper && section lights; } >"$tmp/hard" && sh tests/report/boards.sh "$1" "$out" >"$tmp/boards" &
 beside=$!
 {
     echo '# The numbers report'
@@ -106,7 +106,7 @@ What Ridgeline's arithmetic is worth: how far its drawings are from exact ones, 
   [sizes](#sizes-as-shipped), [tolerances of horizons](#simpler-horizons), [formats of expressions](#formats-of-expressions);
   [on the boards](#boards-what-a-facet-costs), with every row [there](boards.md).
 - [Hard surfaces](hard.md) and [hard solids and haloes](hard-solids.md), each with its picture, its error, and a naive drawing beside it,
-  [hard pairs of polygons](hard-clipper.md) with what each operation gives of them;
+  [hard pairs of polygons](hard-clipper.md) with what each operation gives of them, [hard lights](hard-lights.md) beside rays;
   what is not exact and with what bound is [here](#hard-cases) and [here](#hard-cases-of-solids-and-haloes).
 - [Only what a scene needs](#only-what-a-scene-needs): memory and operations beside those of a method that models everything.
 - The papers' experiments: [Anderson](#andersons-table-1-and-figure-11) and [his open question](#his-open-question),

@@ -1,0 +1,48 @@
+/* The hard list of lights (tests/oracle/hard_lights.h) against rays. RIDGELINE_CASE draws one alone. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "tests/oracle/hard_lights.h"
+#include "tests/oracle/light_ref.h"
+
+static void lights_reach_what_rays_do(void **state) {
+    (void)state;
+    const char *one = getenv("RIDGELINE_CASE");
+    light_tally_t all = {0};
+    int failed = 0;
+    for (int i = 0; i < hard_lights_count(); i++) {
+        if (one && atoi(one) != i) continue;
+        const light_tally_t before = all;
+        light_t light[LIGHTS_MAX];
+        solid_scene_t s;
+        const int lights = hard_lights_build(i, &s, light);
+        bool good = true;
+        for (uint64_t seed = 0; seed < 12; seed++) good &= light_ref_judge(&s, seed, light, lights, &all);
+        solid_scene_free(&s);
+        if (good) continue;
+        failed++;
+        print_message("# FAILED %s: %lld of %lld places, %lld of %lld borders, %lld of %lld changes, %lld errors\n"
+                      "#   repeat: RIDGELINE_CASE=%d build/tests/hard/test_hard_lights\n",
+                      hard_lights_name(i), all.places_wrong - before.places_wrong, all.places - before.places,
+                      all.borders_wrong - before.borders_wrong, all.borders - before.borders,
+                      all.changes_missed - before.changes_missed, all.changes - before.changes,
+                      all.errors - before.errors, i);
+    }
+    print_message("# lights, hard list: %d, %lld of %lld places wrong, %lld of %lld borders where nothing changes, "
+                  "%lld of %lld changes without a border\n",
+                  hard_lights_count(), all.places_wrong, all.places, all.borders_wrong, all.borders, all.changes_missed,
+                  all.changes);
+    assert_int_equal(failed, 0);
+    assert_int_equal(all.left_out, 0);
+    if (!one) assert_true(all.places > 10000 && all.borders > 1000 && all.changes > 500);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(lights_reach_what_rays_do)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
