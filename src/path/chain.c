@@ -333,7 +333,3 @@ int32_t chain_close(chain_t *c) {
     c->free = 2 * strokes;
     return strokes;
 }
-
-bool chain_is_closed(const pool_t *p, int32_t r) {
-    return p->mate[2 * r] >= 0 && p->mate[2 * r + 1] >= 0 && !(p->run[r].to_hi & RUN_SEEN);
-}

@@ -36,7 +36,9 @@ void chain_pair(chain_t *c);
  * the number of open strokes. */
 int32_t chain_close(chain_t *c);
 /* Is the run r part of a closed stroke, and not marked RUN_SEEN since? */
-bool chain_is_closed(const pool_t *p, int32_t r);
+static inline bool chain_is_closed(const pool_t *p, int32_t r) {
+    return p->mate[2 * r] >= 0 && p->mate[2 * r + 1] >= 0 && !(p->run[r].to_hi & RUN_SEEN);
+}
 
 /* Free ends within near_lat of p: up to max of them into out. Returns how many. Ends met on the way that are no longer
  * free are forgotten. */
