@@ -139,10 +139,16 @@
 #define CONFIG_MANY_STROKES 1
 #endif
 
+/* 1: registers of 64 bits, a stack of megabytes, and room for code that is longer to be faster. Nothing depends on it
+ * but speed. */
+#ifndef CONFIG_64BIT
+#define CONFIG_64BIT (__SIZEOF_POINTER__ > 4)
+#endif
+
 /* 1: memory has caches that are asked for what is needed soon (path_config_t.fetch). Nothing depends on it but speed.
  */
 #ifndef CONFIG_FETCH
-#define CONFIG_FETCH (__SIZEOF_POINTER__ > 4)
+#define CONFIG_FETCH CONFIG_64BIT
 #endif
 
 /* Columns of a data file that `using` may speak of: 16 bytes each. */

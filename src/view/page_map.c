@@ -79,7 +79,7 @@ static __attribute__((noinline)) bool tall_vertex_h(page_map_t *m, int32_t i, in
 }
 
 /* Little is on the stack while heights are evaluated, where it is short. */
-#if CONFIG_FETCH
+#if CONFIG_64BIT
 #define APART inline
 #else
 #define APART __attribute__((noinline))
@@ -95,7 +95,7 @@ static APART void vertex_at(const page_map_t *m, int32_t i, int32_t j, int32_t z
 static inline bool vertex_h(page_map_t *m, int32_t i, int32_t j, page_h_t *h) {
     int32_t zi;
     if (m->tall) return tall_vertex_h(m, i, j, h);
-    const bool inline_cache = CONFIG_FETCH && m->grid->cache != NULL;
+    const bool inline_cache = CONFIG_64BIT && m->grid->cache != NULL;
     if (!(inline_cache ? grid_cached_height(m->grid, i, j, &zi) : grid_height(m->grid, i, j, &zi))) return false;
     vertex_at(m, i, j, zi, h);
     return true;

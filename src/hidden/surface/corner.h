@@ -39,14 +39,17 @@ static inline enum facet_kind corner_judge(sweep_t *s, const corner_t *q) {
     if (s->last == FACET_BELOW && advance_lower(s, q)) return FACET_BELOW;
     const int32_t top = pencil_max(q->f.w, pencil_max(q->l.w, q->r.w));
     const int32_t bottom = pencil_min(q->f.w, pencil_min(q->l.w, q->r.w));
-    h->skip_upper = h->has_upper && horizons_hide_below(h, q->l.a, q->r.a, top);
-    h->skip_lower = h->has_lower && horizons_hide_above(h, q->l.a, q->r.a, bottom);
-    if ((h->skip_upper || !h->has_upper) && (h->skip_lower || !h->has_lower)) return FACET_HIDDEN;
-    /* A near corner that is hidden is no vertex of the horizon. */
-    if (!h->skip_upper && s->last != FACET_ABOVE && !lowest_hides(&h->lowest_upper, q->n.a, q->n.a, q->n.w) &&
-        advance_upper(s, q))
+    bool upper = !h->has_upper || lowest_hides(&h->lowest_upper, q->l.a, q->r.a, top);
+    bool lower = !h->has_lower || lowest_hides(&h->lowest_lower, q->l.a, q->r.a, -bottom);
+    if (upper & lower) return FACET_HIDDEN; /* one branch: either alone is hard to guess */
+    upper = upper || horizons_see(&h->upper, &h->lowest_upper, q->l.a, q->r.a, top);
+    lower = lower || horizons_see(&h->lower, &h->lowest_lower, q->l.a, q->r.a, -bottom);
+    if (upper && lower) return FACET_HIDDEN;
+    h->skip_upper = upper;
+    h->skip_lower = lower;
+    if (!upper && s->last != FACET_ABOVE && envelope_passes(&h->upper, q->l, q->n, q->r) && advance_upper(s, q))
         return FACET_ABOVE;
-    if (!h->skip_lower && s->last != FACET_BELOW && !lowest_hides(&h->lowest_lower, q->n.a, q->n.a, -q->n.w) &&
+    if (!lower && s->last != FACET_BELOW && envelope_passes(&h->lower, mirror(q->l), mirror(q->n), mirror(q->r)) &&
         advance_lower(s, q))
         return FACET_BELOW;
     return FACET_CUT;

@@ -146,9 +146,9 @@ int edges_clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
     return 0;
 }
 
-/* Stretches for lowest.h, as a power of two: four to a column, if that takes a small part of the memory; or -1. */
-#define LOWEST_PER_COLUMN 4
-#define LOWEST_PART 16
+/* Stretches for lowest.h, as a power of two: so many to a column, if that takes a small part of the memory; or -1. */
+#define LOWEST_PER_COLUMN (CONFIG_64BIT ? 8 : 4)
+#define LOWEST_PART (CONFIG_64BIT ? 8 : 16)
 #define LOWEST_VERTICES(bits) ((((size_t)2 * sizeof(int16_t)) << (bits)) / sizeof(pencil_t))
 
 static int lowest_bits(int32_t columns, size_t vertices) {

@@ -133,6 +133,11 @@ static inline void envelope_seek(envelope_t *h, int32_t a) {
         return;
     }
     while (r->a <= a) *l++ = *r++;
+    while (CONFIG_64BIT && l - h->base > 4 && l[-4].a > a) { /* a sweep goes back by many */
+        for (int k = 1; k <= 4; k++) r[-k] = l[-k];
+        r -= 4;
+        l -= 4;
+    }
     while (l[-1].a > a) *--r = *--l;
     h->l = l;
     h->r = r;
@@ -159,6 +164,11 @@ static inline int32_t envelope_lowest(envelope_t *h, int32_t a0, int32_t a1, int
     int32_t least = pencil_min(h->l[-1].w, p->w);
     while (p->a < a1 && least >= top) least = pencil_min(least, (++p)->w);
     return least;
+}
+
+/* After a look from l.a on: are l, n and r vertices of h, one after the other? */
+static inline bool envelope_passes(const envelope_t *h, pencil_t l, pencil_t n, pencil_t r) {
+    return envelope_same(h->l[-1], l) && envelope_same(h->r[0], n) && envelope_same(h->r[1], r);
 }
 
 /* The common case of a surface that faces the eye: the horizon passes through n between its vertices l and r, and a

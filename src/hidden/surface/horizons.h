@@ -26,21 +26,14 @@ int horizons_init(horizons_t *h, bool upper, bool lower, pencil_t *pool, size_t 
  * vertices. */
 void horizons_lend(horizons_t *h, int16_t *mem, int bits);
 
-/* Is all from abscissa a0 to a1 that is no higher than top (no lower than bottom) hidden by the upper (lower) horizon?
- * Rather no than wrongly yes. */
-static inline bool horizons_know(envelope_t *h, lowest_t *l, int32_t a0, int32_t a1, int32_t top) {
+/* Is all from abscissa a0 to a1 that is no higher than top hidden by h? Rather no than wrongly yes. What l did not
+ * know, it learns. */
+static inline bool horizons_see(envelope_t *h, lowest_t *l, int32_t a0, int32_t a1, int32_t top) {
     if (!CONFIG_LOWEST || l->w == NULL) return envelope_hides(h, a0, a1, top);
-    if (lowest_hides(l, a0, a1, top)) return true;
     const int32_t w = envelope_lowest(h, a0, a1, top);
     if (w < top) return false;
     lowest_learn(l, a0, a1, w);
     return true;
-}
-static inline bool horizons_hide_below(horizons_t *h, int32_t a0, int32_t a1, int32_t top) {
-    return horizons_know(&h->upper, &h->lowest_upper, a0, a1, top);
-}
-static inline bool horizons_hide_above(horizons_t *h, int32_t a0, int32_t a1, int32_t bottom) {
-    return horizons_know(&h->lower, &h->lowest_lower, a0, a1, -bottom);
 }
 
 /* Clips the line p0-p1 and raises the horizons. Lines that are vertical (envelope_vertical) are clipped at their

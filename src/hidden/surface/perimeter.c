@@ -34,7 +34,8 @@ static int corner_facet(sweep_t *s, int32_t i, int far, bool rightward) {
         int err = edges_whole(e, INK_COL, out, l->line[0].j, &l->column_run[out]);
         return err != 0 ? err : edges_whole(e, INK_ROW, lf->j, i, &l->row_run[far]);
     }
-    const bool row_first = edges_row_is_vertical(e, lf, i);
+    const bool row_first =
+        e->chart.kind == CHART_AROUND ? edges_row_is_vertical(e, lf, i) : envelope_vertical(lf->at[i], lf->at[i + 1]);
     int err = row_first ? sweep_row_edge(s, l, far, i) : 0;
     if (err == 0) err = sweep_column_edge(s, l, out);
     if (err == 0 && !row_first) err = sweep_row_edge(s, l, far, i);
