@@ -225,7 +225,7 @@ void script_begin(job_t *job, bool waits) {
     script.waits = waits;
     size_t bytes;
     void *data = reserve(&bytes);
-    session_init(&script.session, &PORT, data, bytes);
+    session_start(&script.session, &PORT, data, bytes);
 }
 
 void script_source(const char *name) {

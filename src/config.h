@@ -173,10 +173,10 @@ _Static_assert(CONFIG_DATA_COLUMNS < 64, "data_reader keeps one bit per column i
 #define CONFIG_STACK 1024
 #endif
 
-/* Points of a row that are evaluated at once, at most 32: each operation is then decoded once for all of them. 16 bytes
+/* Points of a row that are evaluated at once, at most 64: each operation is then decoded once for all of them. 16 bytes
  * of the machine's stack each where heights are measured or hidden, and 1.5 KB of code; 1: none. */
 #ifndef CONFIG_ROW_POINTS
-#define CONFIG_ROW_POINTS 16
+#define CONFIG_ROW_POINTS (CONFIG_64BIT ? 64 : 16)
 #endif
 
 /* Single heights of a surface that are remembered where not all can be, a power of two: ends of lines are asked for

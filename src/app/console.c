@@ -218,7 +218,7 @@ void console_begin(console_t *c, const console_config_t *config) {
                                .plot = port_plot};
     carriage_init(&c->carriage, memory, motion_bytes, poll, c);
     realtime_init(&c->realtime, &c->carriage);
-    session_init(&c->session, &c->port, memory + motion_bytes, config->bytes - motion_bytes);
+    session_start(&c->session, &c->port, memory + motion_bytes, config->bytes - motion_bytes);
     c->kept_machine = c->session.settings.machine;
     c->own_symbols = c->session.lang.symbols;
     active = &c->carriage;

@@ -64,7 +64,7 @@ static inline bool is_rare(const value_t *a, const value_t *b) {
         if (is_rare(a.at, b.at))                                                                                       \
             binary_slow(w, k, op, a, b, to);                                                                           \
         else if (NUM_FAST_RARE(eval_row_put(to, expression)))                                                          \
-            w->dead |= (uint32_t)1 << k;                                                                               \
+            w->dead |= (eval_row_points_t)1 << k;                                                                      \
     }
 
 /* Functions of their own: a small core keeps more in registers. */

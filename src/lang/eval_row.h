@@ -10,7 +10,7 @@
 #include "lang/expr.h"
 
 #define EVAL_ROW_MAX CONFIG_ROW_POINTS
-_Static_assert(EVAL_ROW_MAX >= 1 && EVAL_ROW_MAX <= 32, "one bit a point");
+_Static_assert(EVAL_ROW_MAX >= 1 && EVAL_ROW_MAX <= 64, "one bit a point");
 
 /* The values that code numbers 0, 1, 2 ...: x, y, those of the column, those of the row. */
 typedef struct eval_row {

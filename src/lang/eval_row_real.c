@@ -1,6 +1,5 @@
 /* eval_row_real.c - see eval_row_real.h. Functions apart: a small core keeps more in registers. */
 #include "lang/eval_row_real.h"
-#include "lang/eval_row.h"
 #include "num/double_words.h"
 #include "num/exp_core.h"
 #include "num/func.h"
@@ -14,7 +13,7 @@ static __attribute__((noinline)) void real_one(eval_row_work_t *w, int k, num_t 
         *to = *a;
         return;
     }
-    if (eval_row_put(to, num_double(f(value_num(*a))))) w->dead |= (uint32_t)1 << k;
+    if (eval_row_put(to, num_double(f(value_num(*a))))) w->dead |= (eval_row_points_t)1 << k;
 }
 
 /* The points whose operand is a real number have `expression`; all others, and those of which it says !usual, f. */
@@ -23,7 +22,7 @@ static __attribute__((noinline)) void real_one(eval_row_work_t *w, int k, num_t 
         if (NUM_FAST_RARE(a.at->kind != VALUE_REAL || !(usual)))                                                       \
             real_one(w, k, f, a.at, to);                                                                               \
         else if (NUM_FAST_RARE(eval_row_put(to, expression)))                                                          \
-            w->dead |= (uint32_t)1 << k;                                                                               \
+            w->dead |= (eval_row_points_t)1 << k;                                                                      \
     }
 
 static __attribute__((noinline)) void real_any(eval_row_work_t *w, num_t (*f)(num_t), eval_row_operand_t a,

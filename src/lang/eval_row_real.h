@@ -4,6 +4,7 @@
 #define EVAL_ROW_REAL_H
 
 #include "lang/arith.h"
+#include "lang/eval_row.h"
 
 typedef struct operand {
     const value_t *at;
@@ -20,16 +21,23 @@ static inline bool eval_row_put(value_t *to, num_t r) {
     return r.undef;
 }
 
+/* One bit a point. */
+#if EVAL_ROW_MAX > 32
+typedef uint64_t eval_row_points_t;
+#else
+typedef uint32_t eval_row_points_t;
+#endif
+
 /* What all operations share: a result for each point, and which of them are undefined as a whole. */
 typedef struct work {
     int n;
-    uint32_t dead; /* by points */
+    eval_row_points_t dead; /* by points */
     bool failed;
 } eval_row_work_t;
 
 static inline void eval_row_note(eval_row_work_t *w, int k, const char *fault) {
     if (!fault) return;
-    w->dead |= (uint32_t)1 << k;
+    w->dead |= (eval_row_points_t)1 << k;
     w->failed |= fault != ARITH_UNDEFINED;
 }
 

@@ -32,8 +32,7 @@ void session_forget_names(session_t *s) {
 #endif
 }
 
-void session_init(session_t *s, const session_port_t *port, void *pool, size_t pool_bytes) {
-    memset(s, 0, sizeof *s);
+void session_start(session_t *s, const session_port_t *port, void *pool, size_t pool_bytes) {
     s->port = port;
     s->pool.base = pool;
     s->pool_size = s->pool.high = pool ? pool_bytes / sizeof(packed_t) : 0;

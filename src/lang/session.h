@@ -22,6 +22,7 @@
 #include "scene/expr_surface.h"
 #include "scene/obj_reader.h"
 #include <stddef.h>
+#include <string.h>
 
 /* What the host or board does for a session. Functions return 0 (or a count) or a negative error, which ends the
  * line and comes back from session_line(). None but `keep` may be NULL. */
@@ -255,9 +256,15 @@ typedef struct session {
     size_t pool_size; /* units of 8 bytes */
 } session_t;
 
-/* Starts a session with default settings. pool: memory for data (8-byte aligned), 8 bytes a height, may be NULL with
- * pool_bytes 0. port and pool are used until the session's end. */
-void session_init(session_t *s, const session_port_t *port, void *pool, size_t pool_bytes);
+/* Starts a session with default settings in memory that is zero, as static memory is: what is not used of it need not
+ * be touched, and a desktop gets it page by page. pool: memory for data (8-byte aligned), 8 bytes a height, may be NULL
+ * with pool_bytes 0. port and pool are used until the session's end. */
+void session_start(session_t *s, const session_port_t *port, void *pool, size_t pool_bytes);
+/* The same in any memory. */
+static inline void session_init(session_t *s, const session_port_t *port, void *pool, size_t pool_bytes) {
+    memset(s, 0, sizeof *s);
+    session_start(s, port, pool, pool_bytes);
+}
 /* Names what the lines come from, for messages, and counts its lines from 1: a file's name, or NULL for a terminal. The
  * name is not copied. */
 void session_source(session_t *s, const char *name);

@@ -83,19 +83,15 @@ static small_t small_angle(wide_t r126) {
 /* sin(k pi/128 + r), or its negative when sign < 0. */
 static num_t sine_at(uint32_t k, wide_t r126, small_t s, int64_t sign) {
     if (k & 128) sign = ~sign;
-    uint32_t j = k & 63;
     if ((k & 127) == 0) { /* relative to r: a zero of the function may be near */
         num_t r = num_from_wide(r126, 126);
         r = num_sub(r, num_mul(r, num_from_fixed((int64_t)s.u, 74)));
         return sign < 0 ? num_neg(r) : r;
     }
     int64_t sr = s.r - (wide_mulhi_s64(s.r, (int64_t)s.u) >> 10); /* sin r, Q69 */
-    int64_t a = (int64_t)func_tables_sin[j], b = (int64_t)func_tables_sin[64 - j];
-    if (k & 64) { /* the second quadrant: cos(j pi/128 + r) */
-        int64_t swap = a;
-        a = b;
-        b = -swap;
-    }
+    /* In the second quadrant, which cannot be guessed, it is cos(j pi/128 + r). */
+    const int32_t second = -(int32_t)(k >> 6 & 1), j = ((int32_t)(k & 63) ^ second) - second + (second & 64);
+    const int64_t a = (int64_t)func_tables_sin[j], b = ints_with_sign(func_tables_sin[64 - j], second);
     int64_t small = wide_mulhi_s64(b, sr) - (wide_mulhi_s64(a, (int64_t)s.c) >> 5); /* Q67 */
     return num_fast_normal((uint64_t)(a + ((small + 16) >> 5)), -62, sign);
 }
@@ -108,7 +104,7 @@ static bool is_tiny(num_t a) {
 num_t func_sin(num_t a) {
     if (a.m == 0 || is_tiny(a)) return a;
     wide_t r;
-    uint32_t k = reduce(num_abs(a), &r);
+    uint32_t k = reduce((num_t){(int64_t)ints_abs64(a.m), a.e, false}, &r);
     return sine_at(k, r, small_angle(r), a.m);
 }
 

@@ -116,6 +116,12 @@ static inline num_t num_double_add(num_t a, num_t b) {
     if (NUM_DOUBLE_NARROW && (a.m ^ b.m) >= 0) return num_double_add_narrow(a, b);
     int32_t d = a.e - b.e, e = d < 0 ? b.e : a.e;
     int64_t big = d < 0 ? b.m : a.m, small = d < 0 ? a.m : b.m;
+    if (!NUM_DOUBLE_NARROW) { /* compilers take a branch for that, and guess it wrong */
+        const int64_t other = (a.m ^ b.m) & (d >> 31);
+        big = a.m ^ other;
+        small = b.m ^ other;
+        e = a.e - (d & d >> 31);
+    }
     d = d < 0 ? -d : d;
     if (NUM_FAST_RARE(d > 63)) return (num_t){big, e, false};
     int64_t sign = big >> 63, S = (small ^ sign) - sign;

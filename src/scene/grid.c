@@ -51,7 +51,12 @@ static inline bool usual_units(num_t z, num_t origin, int32_t exp, int32_t *zi) 
     words_t a = words_sar(words_of((uint64_t)z.m), 1), b = words_sar(words_of((uint64_t)origin.m), 1);
     const int32_t d = z.e - origin.e;
     int32_t shift = exp - 33 - origin.e;
-    if (d < 0) {
+    if (CONFIG_64BIT) { /* which of them is larger cannot be guessed */
+        const int32_t down = d < 0 ? -d : 0, up = d > 0 ? d : 0;
+        a = words_sar(a, down < 63 ? down : 63);
+        b = words_sar(b, up < 63 ? up : 63);
+        shift -= up;
+    } else if (d < 0) {
         a = words_sar_far(a, -d);
     } else if (d > 0) {
         b = words_sar_far(b, d);

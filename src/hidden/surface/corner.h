@@ -33,7 +33,7 @@ static inline bool advance_lower(sweep_t *s, const corner_t *q) {
 
 /* Sorts out what can be told of a whole facet: its far edges both visible, both hidden, or to be clipped. Neighbours
  * tend to be alike, so what the last facet was is tried first. */
-static inline enum facet_kind corner_judge(sweep_t *s, const corner_t *q) {
+static inline enum facet_kind corner_judge_here(sweep_t *s, const corner_t *q) {
     horizons_t *h = &s->edges.horizons;
     if (s->last == FACET_ABOVE && advance_upper(s, q)) return FACET_ABOVE;
     if (s->last == FACET_BELOW && advance_lower(s, q)) return FACET_BELOW;
@@ -54,6 +54,9 @@ static inline enum facet_kind corner_judge(sweep_t *s, const corner_t *q) {
         return FACET_BELOW;
     return FACET_CUT;
 }
+
+/* The same, where a call costs nothing: one copy. */
+enum facet_kind corner_judge(sweep_t *s, const corner_t *q);
 
 /* CHART_AROUND: is it in one sector and one zone? */
 static inline bool corner_in_one_zone(const corner_t *q) {

@@ -25,7 +25,10 @@ static int corner_facet(sweep_t *s, int32_t i, int far, bool rightward) {
         return 0;
     }
     const bool whole = e->cover != COVER_STRIP || strip_has(&e->strip, q.l.a, q.r.a);
-    s->last = whole && corner_is_straight(&e->chart, &q) ? corner_judge(s, &q) : FACET_CUT;
+    if (!whole || !corner_is_straight(&e->chart, &q))
+        s->last = FACET_CUT;
+    else
+        s->last = CONFIG_LOWEST ? corner_judge_here(s, &q) : corner_judge(s, &q);
     if (s->last == FACET_HIDDEN) {
         e->clipped += 2;
         return 0;
