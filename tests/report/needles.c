@@ -35,14 +35,14 @@ static void needle(solid_scene_t *s, double k) {
 void needles_write(const char *dir) {
     FILE *out = report_create(dir, "needles.tsv");
     fputs("width_steps\tconvex_wrong_steps\tarea_wrong_steps\n", out);
-    puts(
-        "\nWhat is narrow: a needle that shares an edge with a wall and comes out through a plate, thinner and "
-        "thinner. "
-        "Width on the page where it is widest; the longest wrong run. A unit of the area sort's lattice is 1/12,800 of "
-        "a step, and what is narrower than 16 may be closed by rounding: edges of what is seen in so narrow a strip "
-        "are "
-        "held against the faces as lines.\n\n"
-        "| width (steps) | convex: wrong | area: wrong |\n|--:|--:|--:|");
+    puts("\nWhat is narrow: a needle that shares an edge with a wall and comes out through a plate, thinner and "
+         "thinner. "
+         "Width on the page where it is widest; the longest run that the page has wrong. A unit of the area sort's "
+         "lattice is 1/12,800 of "
+         "a step, and what is narrower than 16 may be closed by rounding: edges of what is seen in so narrow a strip "
+         "are "
+         "held against the faces as lines.\n\n"
+         "| width (steps) | convex: wrong | area: wrong |\n|--:|--:|--:|");
     for (double k = 300; k > .02; k /= sqrt(10)) {
         solid_scene_t s;
         solid_stage_t t;

@@ -180,10 +180,11 @@ int main(int argc, char **argv) {
     FILE *tsv = all.tsv = fopen(path, "w");
     if (!md || !tsv) return 1;
     fprintf(tsv, "number\tscene\tmissing_steps\tfalse_steps\tend_steps\tnaive_missing_steps\tnaive_false_steps\n");
-    fprintf(md,
-            "# Hard cases\n\nLeft ours, right a naive floating horizon of %d columns in single precision. Errors in "
-            "steps of 0.0125 mm, the longest run each.\n\n",
-            NAIVE_COLUMNS);
+    fprintf(
+        md,
+        "# Hard cases\n\nLeft ours, right a naive floating horizon of %d columns in single precision: red is what it "
+        "draws and should not, blue what it does not draw. Errors in steps of 0.0125 mm, the longest run each.\n\n",
+        NAIVE_COLUMNS);
     int listed = hard_list_count(), count = listed + 2, sheets = sheets_count(count);
     all.sheets = (sheets_t){.dir = argv[1], .name = "hard", .cases = count};
     for (int k = 1; k <= sheets; k++) fprintf(md, "![sheet %d](hard-%d.png)\n", k, k);

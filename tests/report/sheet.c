@@ -6,7 +6,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#define COLUMNS 3 /* pairs in a row of a sheet */
+#include "tests/oracle/page_lines.h"
+
+#define NEAR_MM .03    /* what is as near to the other drawing's ink is in it, too */
+#define PAIRS_MOST 1e9 /* of more no differences are looked for */
+#define COLUMNS 3      /* pairs in a row of a sheet */
 #define CELL_W 190
 #define CELL_H 140
 #define CAPTION 30
@@ -41,8 +45,41 @@ static sheet_box_t ink_box(const strokes_t *s) {
     return b.x1 >= b.x0 ? b : (sheet_box_t){0, 0, 1, 1};
 }
 
+static page_lines_t lines_of(const strokes_t *s) {
+    page_lines_t all = {0};
+    for (size_t i = 0; i < s->n; i++) {
+        const float *p = s->at[i];
+        page_lines_add(&all, (page_line_t){(double)p[0], (double)p[1], (double)p[2], (double)p[3]});
+    }
+    return all;
+}
+
+/* What of `what` has nothing of `by` along it. */
+static strokes_t without(const strokes_t *what, const strokes_t *by) {
+    page_lines_t from = lines_of(what), other = lines_of(by);
+    spans_t along = {0}, bare = {0};
+    strokes_t out = {0};
+    for (size_t i = 0; i < from.n && (double)from.n * (double)other.n < PAIRS_MOST; i++) {
+        const page_line_t *l = &from.line[i];
+        const double dx = l->x1 - l->x0, dy = l->y1 - l->y0;
+        page_lines_along(l, &other, NEAR_MM, &along);
+        spans_complement(&along, 0, 1, &bare);
+        for (size_t k = 0; k < bare.n; k++) {
+            const double a = (double)bare.s[k].a, b = (double)bare.s[k].b;
+            strokes_add(&out, l->x0 + a * dx, l->y0 + a * dy, l->x0 + b * dx, l->y0 + b * dy);
+        }
+    }
+    spans_free(&along);
+    spans_free(&bare);
+    page_lines_free(&from);
+    page_lines_free(&other);
+    return out;
+}
+
+enum ink { INK_BLACK, INK_FALSE, INK_MISSING };
+
 /* In strokes of a few hundred lines, since a path of millions takes minutes. */
-static void thumbnail(cairo_t *cr, double x, double y, const strokes_t *s, const sheet_box_t *b) {
+static void thumbnail(cairo_t *cr, double x, double y, const strokes_t *s, const sheet_box_t *b, enum ink ink) {
     const double w = fmax(b->x1 - b->x0, 1e-6), h = fmax(b->y1 - b->y0, 1e-6);
     const double k = fmin((CELL_W - 12) / w, (CELL_H - 8) / h);
     cairo_save(cr);
@@ -51,8 +88,8 @@ static void thumbnail(cairo_t *cr, double x, double y, const strokes_t *s, const
     cairo_translate(cr, x + CELL_W / 2., y + CELL_H / 2.);
     cairo_scale(cr, k, -k);
     cairo_translate(cr, -(b->x0 + b->x1) / 2, -(b->y0 + b->y1) / 2);
-    cairo_set_line_width(cr, .6 / k);
-    cairo_set_source_rgb(cr, 0, 0, 0);
+    cairo_set_line_width(cr, (ink == INK_BLACK ? .6 : .9) / k);
+    cairo_set_source_rgb(cr, ink == INK_FALSE ? .85 : 0, ink == INK_MISSING ? .5 : 0, ink == INK_MISSING ? 1 : 0);
     for (size_t i = 0; i < s->n; i++) {
         cairo_move_to(cr, (double)s->at[i][0], (double)s->at[i][1]);
         cairo_line_to(cr, (double)s->at[i][2], (double)s->at[i][3]);
@@ -98,8 +135,13 @@ void sheets_enter(sheets_t *s, const char *name, const char *naive, const stroke
     const sheet_box_t box = part ? *part : ink_box(ours);
     char text[160];
     if (at == 0) s->cr = start(left < SHEET_CASES ? left : SHEET_CASES);
-    thumbnail(s->cr, x, y, ours, &box);
-    thumbnail(s->cr, x + CELL_W, y, other, &box);
+    strokes_t wrong = without(other, ours), lacks = without(ours, other);
+    thumbnail(s->cr, x, y, ours, &box, INK_BLACK);
+    thumbnail(s->cr, x + CELL_W, y, &lacks, &box, INK_MISSING);
+    thumbnail(s->cr, x + CELL_W, y, other, &box, INK_BLACK);
+    thumbnail(s->cr, x + CELL_W, y, &wrong, &box, INK_FALSE);
+    strokes_free(&wrong);
+    strokes_free(&lacks);
     snprintf(text, sizeof text, "%d %s", s->entered, name);
     caption(s->cr, x + 4, y + CELL_H + 11, text, 0);
     caption(s->cr, x + CELL_W + 4, y + CELL_H + 23, naive, .7);

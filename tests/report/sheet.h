@@ -1,4 +1,5 @@
-/* sheet.h - contact sheets: for each case ours on the left and a naive drawing on the right, as PNG. */
+/* sheet.h - contact sheets: for each case ours on the left and a naive drawing on the right, as PNG. In the naive one
+ * red is what ours has not, blue what it lacks of ours. */
 #ifndef REPORT_SHEET_H
 #define REPORT_SHEET_H
 
@@ -10,7 +11,7 @@ typedef struct sheet_box {
     double x0, y0, x1, y1;
 } sheet_box_t;
 
-/* Strokes on the page, any unit. */
+/* Strokes on the page, in mm. */
 typedef struct strokes {
     float (*at)[4]; /* x, y of both ends */
     size_t n, room;
