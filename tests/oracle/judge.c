@@ -143,20 +143,27 @@ static void robust(const line_t *l, int k, double steps, spans_t *visible, spans
     spans_free(&h);
 }
 
-/* What of `bad` is alone on the page. The page is looked at only if there is more than a run of `most` mm. */
-static void keep_alone(const line_t *l, spans_t *bad, bool is_false, double most) {
+/* What of `bad` is alone on the page. The page is looked at only if there is more than a run of `most` mm. Returns the
+ * longest run that was. */
+static double keep_alone(const line_t *l, spans_t *bad, bool is_false, double most) {
     double worst = most;
-    spans_t keep = {0};
+    spans_t keep = {0}, covered = {0};
     longest(l, bad, &worst, NULL);
-    if (!l->ink || worst <= most) return;
+    if (!l->ink || worst <= most) return 0;
     judge_page_fill(l->ink, l->r, l->v, l->piece, l->pieces);
     judge_page_alone(l->r, l->v, l->family, l->index, bad, is_false ? &l->ink->seen : &l->ink->drawn, &keep);
+    worst = 0;
+    spans_subtract(bad, &keep, &covered);
+    longest(l, &covered, &worst, NULL);
     spans_copy(&keep, bad);
     spans_free(&keep);
+    spans_free(&covered);
+    return worst;
 }
 
-/* Of the raw errors `bad`, what remains when each edge is asked again with a step's tolerance, and then the page. */
-static void forgive(const line_t *l, const spans_t *bad, bool is_false, spans_t *out) {
+/* Of the raw errors `bad`, what remains when each edge is asked again with a step's tolerance, and then the page.
+ * Returns the longest run that the page explained. */
+static double forgive(const line_t *l, const spans_t *bad, bool is_false, spans_t *out) {
     spans_t here = {0}, part = {0}, visible = {0}, hidden = {0}, keep = {0};
     spans_clear(out);
     for (int k = 0; k < l->edges; k++) {
@@ -169,12 +176,13 @@ static void forgive(const line_t *l, const spans_t *bad, bool is_false, spans_t 
         add_shifted(out, &keep, 0);
     }
     spans_tidy(out);
-    keep_alone(l, out, is_false, STEP);
+    const double beside = keep_alone(l, out, is_false, STEP);
     spans_free(&here);
     spans_free(&part);
     spans_free(&visible);
     spans_free(&hidden);
     spans_free(&keep);
+    return beside;
 }
 
 /* Does the line stay on the page from a to b? What leaves it may come back anywhere. */
@@ -299,11 +307,11 @@ static void judge_line(line_t *l, judge_report_t *out) {
     out->ink_mm += total(l, &l->drawn);
     spans_subtract(&l->visible, &l->drawn, &bad);
     longest(l, &bad, &out->raw_missing_mm, NULL);
-    forgive(l, &bad, false, &worse);
+    out->beside_mm = fmax(out->beside_mm, forgive(l, &bad, false, &worse));
     longest(l, &worse, &out->missing_mm, &out->missing);
     spans_intersect(&l->hidden, &l->drawn, &bad);
     longest(l, &bad, &out->raw_false_mm, NULL);
-    forgive(l, &bad, true, &worse);
+    out->beside_mm = fmax(out->beside_mm, forgive(l, &bad, true, &worse));
     longest(l, &worse, &out->false_mm, &out->falsely);
     check_ends(l, out);
     spans_free(&bad);
@@ -369,6 +377,7 @@ void judge_worst(judge_report_t *all, const judge_report_t *one) {
     if (one->end_steps > all->end_steps) all->end_steps = one->end_steps, all->end = one->end;
     all->raw_missing_mm = fmax(all->raw_missing_mm, one->raw_missing_mm);
     all->raw_false_mm = fmax(all->raw_false_mm, one->raw_false_mm);
+    all->beside_mm = fmax(all->beside_mm, one->beside_mm);
     all->twice_mm = fmax(all->twice_mm, one->twice_mm);
     all->moved_steps = fmax(all->moved_steps, one->moved_steps);
     all->ink_mm += one->ink_mm;

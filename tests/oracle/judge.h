@@ -48,6 +48,7 @@ typedef struct judge_spot {
 typedef struct judge_report {
     double missing_mm, false_mm;
     double raw_missing_mm, raw_false_mm;
+    double beside_mm;   /* longest run that only the page explained: its ink is another line's */
     double twice_mm;    /* longest run drawn more than once */
     double end_steps;   /* largest displacement of an end of ink, along the line or by what move across explains it */
     double moved_steps; /* not judged: how far the rounding of vertices moves an end on the page, if measured */

@@ -73,6 +73,7 @@ bool cases_surface(cases_t *c, const scene_t *s, uint64_t seed, bool shrink) {
     int err = draw_and_judge(s, c->every, &rep, &stats);
     c->run++;
     c->facets += stats.facets;
+    c->beside += rep.beside_mm > 0;
     judge_worst(&c->worst, &rep);
     if (err == 0 && cases_good(&rep)) return true;
     tell(c->name, s, err, &rep);
@@ -114,6 +115,8 @@ void cases_summary(const cases_t *c) {
         c->name, (long long)c->run, (long long)c->facets, w->ink_mm / 1000, w->missing_mm / JUDGE_STEP_MM,
         w->false_mm / JUDGE_STEP_MM, w->end_steps, w->twice_mm);
     if (w->moved_steps >= .005) printf("; rounding the vertices moves ends by up to %.2f steps", w->moved_steps);
+    if (c->beside > 0)
+        printf("; in %lld a neighbour's ink in its place, up to %.1f mm", (long long)c->beside, w->beside_mm);
     printf("\n");
     fflush(stdout);
 }

@@ -18,6 +18,7 @@ typedef struct cases {
     int every;           /* judge every so-manieth line only; 0: all */
     judge_report_t worst;
     int64_t run, facets;
+    int64_t beside; /* scenes in which the page had to tell that ink is another line's */
 } cases_t;
 
 /* RIDGELINE_CASES multiplies how many cases are tried (default 1, may be a fraction). */
