@@ -1,5 +1,6 @@
 /* Random machines draw random paths: whatever the numbers, the trace is legal, ends at home, stays on the path and
- * takes the time of infinite look-ahead. RIDGELINE_SEED=n repeats a failure. */
+ * takes the time of infinite look-ahead. RIDGELINE_SEED=n repeats a failure,
+ * RIDGELINE_CASES tries so many times more. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,6 +14,7 @@
 #include "error.h"
 #include "hal/hal.h"
 #include "tests/oracle/motion_rig.h"
+#include "tests/oracle/run_cases.h"
 
 #define RUNS 120
 
@@ -84,9 +86,9 @@ static void check(uint64_t number) {
         bool good = r.error == 0 && j.legal && deviation <= 1 && r.stats.starved == 0 && r.stats.late == 0 &&
                     (ratio > 0.99 || m.junction_um == 0) && (ratio < 1.01 || r.stats.forced > 0);
         if (!good) {
-            print_message(
-                "RIDGELINE_SEED=%llu: error %d, %.4f steps off the path, %.5f of the ideal, %u late, %u forced\n",
-                (unsigned long long)number, r.error, deviation, ratio, r.stats.late, r.stats.forced);
+            print_message("# FAILED RIDGELINE_SEED=%llu build/tests/property/test_motion_random: error %d, %.4f steps "
+                          "off the path, %.5f of the ideal, %u late, %u forced\n",
+                          (unsigned long long)number, r.error, deviation, ratio, r.stats.late, r.stats.forced);
             trace_print(&j, &m, stdout);
         }
         assert_true(good);
@@ -97,12 +99,10 @@ static void check(uint64_t number) {
 
 static void test_random_machines(void **state) {
     (void)state;
-    const char *one = getenv("RIDGELINE_SEED");
-    if (one) {
-        check(strtoull(one, NULL, 10));
-        return;
-    }
-    for (uint64_t i = 1; i <= RUNS; i++) check(i);
+    uint64_t from, to;
+    if (!cases_seeds(1, cases_scaled(RUNS), &from, &to)) return;
+    for (uint64_t i = from; i < to; i++) check(i);
+    print_message("# motion: %llu drawings\n", (unsigned long long)(to - from));
 }
 
 int main(void) {

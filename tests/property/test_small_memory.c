@@ -13,7 +13,8 @@
 static void test_perimeter(void **state) {
     (void)state;
     int64_t full = 0, drawn = 0, least = 0, needed = 0;
-    for (uint64_t seed = 6000; seed < 6000 + cases_scaled(40); seed++) {
+    const uint64_t count = cases_scaled(40), first = cases_first(6000, count);
+    for (uint64_t seed = first; seed < first + count; seed++) {
         scene_t s;
         run_drawing_t reference = {0};
         hidden_stats_t stats;
@@ -55,7 +56,8 @@ static void test_lowest(void **state) {
     (void)state;
     int64_t facets = 0, pieces = 0;
     int without = 0;
-    for (uint64_t seed = 7000; seed < 7000 + cases_scaled(150); seed++) {
+    const uint64_t count = cases_scaled(150), first = cases_first(7000, count);
+    for (uint64_t seed = first; seed < first + count; seed++) {
         scene_t s;
         run_drawing_t plenty = {0}, little = {0};
         hidden_stats_t stats, small;

@@ -42,7 +42,8 @@ SOAK_MINUTES ?= 10
 SOAK_TESTS := $(addprefix $(BUILDDIR)/tests/property/,test_metamorphic test_differential test_solid_laws test_perimeter_random \
     test_holes_random test_horizon_random test_several_random test_awkward_random test_extreme_random test_folded_random test_strips \
     test_convex_random test_area_random test_body_random test_touching_random test_polygons_random test_clear_random test_light_random test_seams_random test_patch_random \
-    test_once_random test_shaded_random test_halo_random test_halo_scene test_clip_random test_clip_families)
+    test_once_random test_shaded_random test_halo_random test_halo_scene test_clip_random test_clip_families test_tone_memory test_small_memory \
+    test_motion_random test_path_random)
 soak: $(SOAK_TESTS) $(BARE_SAME) ## random scenes and laws against the reference, new seeds every round, for SOAK_MINUTES (10)
 	$(Q)BUILDDIR=$(BUILDDIR) sh tests/report/soak.sh $(SOAK_MINUTES) $(SOAK_TESTS) tests/emu/test_same.sh
 .PHONY: soak
