@@ -31,6 +31,13 @@ int figure_series(figure_t *f, const char *name) {
     return f->series++;
 }
 
+void figure_line(figure_t *f, int series, double a, double b, double to) {
+    const int s = figure_series(f, NULL);
+    f->line_of[s] = series + 1;
+    figure_add(f, s, 0, a, NULL);
+    figure_add(f, s, to, a + b * to, NULL);
+}
+
 void figure_add(figure_t *f, int series, double x, double y, const char *label) {
     if (f->y_floor > 0) y = fmax(y, f->y_floor);
     if ((f->x_log && !(x > 0)) || (f->y_log && !(y > 0))) return;
@@ -129,9 +136,9 @@ static void draw_front(FILE *out, const figure_t *f, int s, axis_t x, axis_t y) 
 }
 
 static void draw_series(FILE *out, const figure_t *f, int s, axis_t x, axis_t y) {
-    const char *c = colour[s % COLOURS];
+    const char *c = colour[(f->line_of[s] ? f->line_of[s] - 1 : s) % COLOURS];
     const char *verb = "M";
-    if (f->joined) {
+    if (f->joined || f->line_of[s]) {
         fprintf(out, "<path fill='none' stroke='%s' stroke-width='1.5' d='", c);
         for (int i = 0; i < f->points; i++) {
             const figure_point_t *p = &f->point[i];
@@ -141,6 +148,7 @@ static void draw_series(FILE *out, const figure_t *f, int s, axis_t x, axis_t y)
         }
         fprintf(out, "'/>\n");
     }
+    if (f->line_of[s]) return;
     if (f->front) draw_front(out, f, s, x, y);
     for (int i = 0; i < f->points; i++) {
         const figure_point_t *p = &f->point[i];

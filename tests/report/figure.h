@@ -21,6 +21,8 @@ typedef struct figure {
     double y_line;             /* a horizontal line, if not 0 */
     double y_floor;            /* if not 0: what is less is drawn there, and the axis says 0 */
     const char *name[FIGURE_SERIES];
+    int line_of[FIGURE_SERIES]; /* a line without marks, in the colour of the series of this number less one; 0: points
+                                 */
     int series, points;
     figure_point_t point[FIGURE_POINTS];
 } figure_t;
@@ -29,6 +31,8 @@ typedef struct figure {
 void figure_init(figure_t *f, const char *title, const char *x_title, const char *y_title);
 /* Adds a series; returns its number. */
 int figure_series(figure_t *f, const char *name);
+/* Adds the line y = a + b x from x = 0 to `to`, for that series. */
+void figure_line(figure_t *f, int series, double a, double b, double to);
 /* Adds a point. On logarithmic axes what is not positive is left out, but for y with a floor. */
 void figure_add(figure_t *f, int series, double x, double y, const char *label);
 /* Marks the last one with a ring. */

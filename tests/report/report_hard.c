@@ -10,43 +10,13 @@
 #include "tests/oracle/hard_list.h"
 #include "tests/report/asked.h"
 #include "tests/report/naive.h"
-#include "tests/report/sheet.h"
+#include "tests/report/surface_strokes.h"
 
 #define CASES_MOST 128
 #define NAIVE_JUDGED 500 /* about so many pieces of a naive drawing are judged: of more some lines alone */
 
 static double steps(double mm) {
     return mm / JUDGE_STEP_MM;
-}
-
-/* Ends of a piece's part in cell k, on the page; false if not on it. */
-static bool part_on_page(const scene_t *s, const judge_piece_t *p, int k, double at[4]) {
-    exact_point_t e[2], q[2];
-    double t[2] = {fmax(p->from - k, 0), fmin(p->to - k, 1)}, t0, t1;
-    surface_ref_edge_ends(&s->ref, p->family, p->line, k, e);
-    if (!page_view_clip(&s->view, e, &t0, &t1)) return false;
-    t[0] = fmax(t[0], t0), t[1] = fmin(t[1], t1);
-    if (t[0] >= t[1]) return false;
-    for (int i = 0; i < 2; i++) {
-        q[i] = (exact_point_t){e[0].x + t[i] * (e[1].x - e[0].x), e[0].y + t[i] * (e[1].y - e[0].y),
-                               e[0].z + t[i] * (e[1].z - e[0].z)};
-        if (!page_view_point(&s->view, q[i], &at[2 * i], &at[2 * i + 1])) return false;
-    }
-    return true;
-}
-
-/* What of a drawing is on the page, and in the box if there is one. */
-static strokes_t strokes_of(const scene_t *s, const run_drawing_t *d, const sheet_box_t *box) {
-    strokes_t all = {0};
-    for (size_t i = 0; i < d->n; i++)
-        for (int k = (int)d->piece[i].from; k < d->piece[i].to; k++) {
-            double at[4];
-            if (!part_on_page(s, &d->piece[i], k, at)) continue;
-            if (box && (fmax(at[0], at[2]) < box->x0 || fmin(at[0], at[2]) > box->x1)) continue;
-            if (box && (fmax(at[1], at[3]) < box->y0 || fmin(at[1], at[3]) > box->y1)) continue;
-            strokes_add(&all, at[0], at[1], at[2], at[3]);
-        }
-    return all;
 }
 
 /* What of d lies on the lines that the judge looks at. */
@@ -111,7 +81,7 @@ static void enter(int i, const char *name, const scene_t *s, int every, const sh
             steps(a.false_mm), a.end_steps, steps(b.missing_mm), steps(b.false_mm));
     fprintf(all->tsv, "%d\t%s\t%.3f\t%.3f\t%.3f\t%.1f\t%.1f\n", i, s->what, steps(a.missing_mm), steps(a.false_mm),
             a.end_steps, steps(b.missing_mm), steps(b.false_mm));
-    strokes_t shown[2] = {strokes_of(s, &ours, part), strokes_of(s, &naive, part)};
+    strokes_t shown[2] = {surface_strokes(s, &ours, part), surface_strokes(s, &naive, part)};
     snprintf(text, sizeof text, "naive: %.0f steps missing, %.0f false", steps(b.missing_mm), steps(b.false_mm));
     sheets_enter(&all->sheets, name, text, &shown[0], &shown[1], part);
     for (int k = 0; k < 2; k++) strokes_free(&shown[k]);

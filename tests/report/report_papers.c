@@ -1,7 +1,7 @@
 /* report_papers - the papers' experiments, beside their published numbers.
  *
- *     report_papers DIR      writes DIR/table1-times.tsv, figure11.svg, collapse.tsv, range.tsv, range.svg, and the
- * section on stdout
+ *     report_papers DIR      writes DIR/table1-times.tsv, figure1-1.png, figure11.svg, collapse.tsv, range.tsv,
+ * range.svg, and the section on stdout
  *
  * D. P. Anderson, Hidden Line Elimination in Projected Grid Surfaces (1982): Table 1, Figures 1 and 11, and the
  * question he leaves open. P. Greenspun and J. J. Little (1988): fragments of a horizon. */
@@ -15,6 +15,7 @@
 #include "tests/report/figure.h"
 #include "tests/report/naive.h"
 #include "tests/report/subject.h"
+#include "tests/report/surface_strokes.h"
 
 /* Least squares y = a + b x; returns the coefficient of determination. */
 static double fit(int n, const double *x, const double *y, double *a, double *b) {
@@ -35,13 +36,13 @@ static void table1(const char *dir) {
     static const double published[2][SIZES] = {{.184, .725, 1.623, 2.886, 4.527, 6.532},
                                                {.221, .921, 2.315, 3.969, 6.515, 9.534}};
     static const char *const series[4] = {"1982, smooth", "1982, random", "now, smooth", "now, random"};
-    static figure_t f;
+    static figure_t f[2];
     double facets[SIZES], now[2][SIZES], a, b;
     char path[512];
     FILE *out = report_create(dir, "table1-times.tsv");
-    figure_init(&f, "Anderson's Figure 11: time against facets", "facets", "seconds");
-    f.x_log = f.y_log = f.joined = true;
-    for (int k = 0; k < 4; k++) figure_series(&f, series[k]);
+    figure_init(&f[0], "Anderson's Figure 11: 1982, with best-fit lines", "facets", "seconds");
+    figure_init(&f[1], "The same now", "facets", "microseconds");
+    for (int k = 0; k < 4; k++) figure_series(&f[k / 2], series[k]);
     fprintf(out, "n\tfacets\tsmooth_1982_s\trandom_1982_s\tsmooth_s\trandom_s\n");
     printf("\n## Anderson's Table 1 and Figure 11\n\nexp(-x^2-y^2) and uniform random heights on [-2,2]^2, seen from "
            "(6,8,3). Seconds of 1982 are those of a Harris Slash 7, with its drawing; ours are of the kernel alone.\n\n"
@@ -55,9 +56,9 @@ static void table1(const char *dir) {
             subject_make(&u, KERNEL_PERIMETER, k ? FAMILY_RANDOM : FAMILY_SMOOTH, size[i]);
             now[k][i] = subject_ns(&u) * facets[i] * 1e-9;
             subject_free(&u);
-            figure_add(&f, k, facets[i], published[k][i], NULL);
+            figure_add(&f[0], k, facets[i], published[k][i], NULL);
+            figure_add(&f[1], k, facets[i], 1e6 * now[k][i], NULL);
         }
-        for (int k = 0; k < 2; k++) figure_add(&f, 2 + k, facets[i], now[k][i], NULL);
         fprintf(out, "%d\t%.0f\t%.3f\t%.3f\t%.3g\t%.3g\n", size[i], facets[i], published[0][i], published[1][i],
                 now[0][i], now[1][i]);
         printf("| %d x %d | %.0f | %.3f s | %.3f s | %.2f | %.1f | %.1f | %.2f |\n", size[i], size[i], facets[i],
@@ -65,13 +66,15 @@ static void table1(const char *dir) {
                now[1][i] / now[0][i]);
     }
     fclose(out);
-    snprintf(path, sizeof path, "%s/figure11.svg", dir);
-    figure_write(&f, path);
     printf("\nBest-fit lines, time = a + b facets:\n\n");
     for (int k = 0; k < 4; k++) {
         double r2 = fit(SIZES, facets, k < 2 ? published[k] : now[k - 2], &a, &b);
         printf("- %s: a = %.3g s, b = %.3g s, R^2 = %.4f\n", series[k], a, b, r2);
+        const double unit = k < 2 ? 1 : 1e6;
+        figure_line(&f[k / 2], k % 2, unit * a, unit * b, facets[SIZES - 1]);
     }
+    snprintf(path, sizeof path, "%s/figure11.svg", dir);
+    figure_write_panels(f, 2, 2, path);
     printf(
         "\nBoth are straight lines, then as now. His random surface took half as much time again as the smooth one, "
         "ours takes several times as long: a facet that rises above the horizon as a whole is now recognised by a few "
@@ -80,7 +83,7 @@ static void table1(const char *dir) {
 
 /* His Figure 1: looked at upwards in perspective, so that vertical lines meet in the image and a perimeter of page
  * columns is no function. */
-static void figure1(void) {
+static void figure1(const char *dir) {
     enum { N = 30 };
     scene_t s;
     run_drawing_t ours = {0}, naive = {0};
@@ -107,9 +110,14 @@ static void figure1(void) {
         "image, so programs whose horizon is a function of the page's columns go wrong; his polar perimeters were the "
         "answer, ours are the coordinates. Drawn by `figure1.gp`: 3 exp(-x^2-y^2) + 0.4 sin 3x cos 3y from (2.4, 3.2, "
         "-0.3).\n\nOurs: %.2f steps missing, %.2f false. A floating horizon of page columns: %.0f missing, %.0f "
-        "false.\n\n![Figure 1](figure1.svg)\n",
+        "false; red is what it draws and should not, blue what it does not draw.\n\n![Figure 1](figure1.svg)\n\n"
+        "![ours, and a floating horizon](figure1-1.png)\n",
         a.missing_mm / JUDGE_STEP_MM, a.false_mm / JUDGE_STEP_MM, b.missing_mm / JUDGE_STEP_MM,
         b.false_mm / JUDGE_STEP_MM);
+    strokes_t shown[2] = {surface_strokes(&s, &ours, NULL), surface_strokes(&s, &naive, NULL)};
+    sheets_t sheet = {.dir = dir, .name = "figure1", .cases = 1, .zoom = 2.5};
+    sheets_enter(&sheet, "his Figure 1", "a floating horizon", &shown[0], &shown[1], NULL);
+    for (int k = 0; k < 2; k++) strokes_free(&shown[k]);
     run_drawing_free(&ours);
     run_drawing_free(&naive);
     scene_free(&s);
@@ -189,7 +197,7 @@ static void open_question(const char *dir) {
 int main(int argc, char **argv) {
     if (argc < 2) return 2;
     table1(argv[1]);
-    figure1();
+    figure1(argv[1]);
     fragments(argv[1]);
     open_question(argv[1]);
     return 0;

@@ -107,11 +107,12 @@ static void caption(cairo_t *cr, double x, double y, const char *text, double sh
     cairo_new_path(cr);
 }
 
-static cairo_t *start(int cases) {
-    const int rows = (cases + COLUMNS - 1) / COLUMNS;
-    cairo_surface_t *to =
-        cairo_image_surface_create(CAIRO_FORMAT_RGB24, COLUMNS * 2 * CELL_W, rows * (CELL_H + CAPTION));
+static cairo_t *start(int cases, double zoom) {
+    const int rows = (cases + COLUMNS - 1) / COLUMNS, columns = cases < COLUMNS ? cases : COLUMNS;
+    cairo_surface_t *to = cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)(zoom * columns * 2 * CELL_W),
+                                                     (int)(zoom * rows * (CELL_H + CAPTION)));
     cairo_t *cr = cairo_create(to);
+    cairo_scale(cr, zoom, zoom);
     cairo_surface_destroy(to);
     cairo_set_source_rgb(cr, 1, 1, 1);
     cairo_paint(cr);
@@ -134,7 +135,7 @@ void sheets_enter(sheets_t *s, const char *name, const char *naive, const stroke
     const double x = at % COLUMNS * 2 * CELL_W, y = (double)(at / COLUMNS) * (CELL_H + CAPTION);
     const sheet_box_t box = part ? *part : ink_box(ours);
     char text[160];
-    if (at == 0) s->cr = start(left < SHEET_CASES ? left : SHEET_CASES);
+    if (at == 0) s->cr = start(left < SHEET_CASES ? left : SHEET_CASES, s->zoom > 0 ? s->zoom : 1);
     strokes_t wrong = without(other, ours), lacks = without(ours, other);
     thumbnail(s->cr, x, y, ours, &box, INK_BLACK);
     thumbnail(s->cr, x + CELL_W, y, &lacks, &box, INK_MISSING);

@@ -23,6 +23,7 @@ void strokes_free(strokes_t *s);
 typedef struct sheets {
     const char *dir, *name; /* DIR/NAME-1.png ... */
     int cases, entered;
+    double zoom; /* of the whole sheet; 0: 1 */
     struct _cairo *cr;
 } sheets_t;
 

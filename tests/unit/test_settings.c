@@ -262,7 +262,6 @@ int main(void) {
         cmocka_unit_test_setup_teardown(ranges, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(view_keeps_what_is_left_out, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(angles_are_degrees_if_so_set, fixture_setup, fixture_teardown),
-        cmocka_unit_test_setup_teardown(angles_are_degrees_if_so_set, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(paper, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(hidden3d, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(titles, fixture_setup, fixture_teardown),

@@ -127,11 +127,8 @@ static void count_page(const char *bits, double unit) {
 
 int bare_main(int argc, char **argv) {
     (void)argc, (void)argv;
-    const char *const bits = SOLID_BITS == SHIPPED          ? "14"
-                             : SOLID_BITS == ABOVE_STEP     ? "0"
-                             : SOLID_BITS == ABOVE_STEP + 2 ? "2"
-                             : SOLID_BITS == ABOVE_STEP + 4 ? "4"
-                                                            : "8";
+    const int below = SOLID_BITS - ABOVE_STEP; /* a step: 0 to 19 */
+    const char bits[] = {(char)(below < 10 ? '0' + below : '1'), (char)(below < 10 ? 0 : '0' + below - 10), 0};
     for (int area = 0; area < 2; area++) count_solids(bits, area);
     if (SOLID_BITS != SHIPPED) return 0;
     count_page("8.68", 1);
