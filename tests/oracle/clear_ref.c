@@ -71,8 +71,8 @@ static bool is_needle(const solid_ref_t *r, int f) {
     return sqrt(area[0] * area[0] + area[1] * area[1] + area[2] * area[2]) < 2e-2 * far;
 }
 
-void clear_scene_random(solid_scene_t *s, uint64_t seed, int objects) {
-    solid_scene_random(s, seed, objects);
+/* Makes some faces translucent and draws lines on some. */
+static void dress(solid_scene_t *s, uint64_t seed) {
     solid_ref_t *r = &s->ref;
     state64 = seed * 2654435761u + 99;
     for (int k = 0; k < 4; k++) random_unit();
@@ -95,6 +95,15 @@ void clear_scene_random(solid_scene_t *s, uint64_t seed, int objects) {
             r->detail[r->nd][1] = a;
             r->detail[r->nd++][2] = b;
         }
+}
+
+void clear_scene_random(solid_scene_t *s, uint64_t seed, int objects) {
+    solid_scene_random(s, seed, objects);
+    dress(s, seed);
+}
+void clear_scene_polygons(solid_scene_t *s, uint64_t seed, int objects) {
+    solid_scene_polygons(s, seed, objects);
+    dress(s, seed);
 }
 
 /* ---- references ---- */

@@ -11,6 +11,8 @@
 
 /* solid_scene_random() with translucent faces, some or all, and with lines on faces, which may reach beyond them. */
 void clear_scene_random(solid_scene_t *s, uint64_t seed, int objects);
+/* The same of solid_scene_polygons(). */
+void clear_scene_polygons(solid_scene_t *s, uint64_t seed, int objects);
 
 typedef struct clear_report {
     judge_report_t edges[2], details[2]; /* [0]: as drawn; [1]: with what is drawn as hidden */

@@ -12,6 +12,7 @@
 
 #include "tests/oracle/clear_ref.h"
 #include "tests/oracle/run_cases.h"
+#include "tests/oracle/solid_cases.h"
 
 static void tell(const char *what, const judge_report_t *r) {
     if (cases_good(r)) return;
@@ -21,7 +22,7 @@ static void tell(const char *what, const judge_report_t *r) {
                   r->falsely.from, r->falsely.to, r->end_steps, r->twice_mm);
 }
 
-static int run(const char *name, uint64_t first, uint64_t count, int objects) {
+static int run(const char *name, uint64_t first, uint64_t count, int objects, solid_make_t make) {
     static const char *const what[4] = {"edges", "edges, with those behind", "details", "details, with those behind"};
     uint64_t from, to;
     int failed = 0, left_out = 0, behind = 0, clear = 0;
@@ -31,7 +32,7 @@ static int run(const char *name, uint64_t first, uint64_t count, int objects) {
     for (uint64_t seed = from; seed < to && failed < 20; seed++) {
         solid_scene_t s;
         clear_report_t r;
-        clear_scene_random(&s, seed, objects);
+        make(&s, seed, objects);
         bool good = clear_scene_judge(&s, &r);
         if (r.area.intersections && s.lattice) {
             left_out++;
@@ -62,17 +63,23 @@ static int run(const char *name, uint64_t first, uint64_t count, int objects) {
 
 static void few_objects(void **state) {
     (void)state;
-    assert_int_equal(run("translucent, few", 0, cases_scaled(1000), 3), 0);
+    assert_int_equal(run("translucent, few", 0, cases_scaled(1000), 3, clear_scene_random), 0);
 }
 static void many_objects(void **state) {
     (void)state;
-    assert_int_equal(run("translucent, many", 1000000000, cases_scaled(20), 16), 0);
+    assert_int_equal(run("translucent, many", 1000000000, cases_scaled(20), 16, clear_scene_random), 0);
+}
+
+static void hard_polygons(void **state) {
+    (void)state;
+    assert_int_equal(run("translucent, polygons", 2000000000, cases_scaled(200), 3, clear_scene_polygons), 0);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(few_objects),
         cmocka_unit_test(many_objects),
+        cmocka_unit_test(hard_polygons),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
