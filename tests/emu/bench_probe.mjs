@@ -27,8 +27,7 @@ function symbolsOf(elf) {
 }
 
 // until: what ends the run: `hidden` (all is hidden, ordering begins), `step` (the machine begins to move), `pen` (the pen is
-// lowered), or `quit` of the
-// stimulus. out: where the report goes, as JSON. profile: how many of the dearest functions to list.
+// lowered), `again` (it is lowered after a ctrl-X and another line), or `quit` of the stimulus. out: where the report goes, as JSON. profile: how many of the dearest functions to list.
 export default function probe(mcu, elf, until, out, profile = '0') {
   const { core, clock } = mcu;
   const symbols = symbolsOf(elf);
@@ -48,6 +47,7 @@ export default function probe(mcu, elf, until, out, profile = '0') {
   const note = (what) => (ms[what] ??= clock.nanos / 1e6);
   const feed = mcu.uart[0].feedByte.bind(mcu.uart[0]);
   mcu.uart[0].feedByte = (byte) => {
+    if (byte === 24) ms.stopped = clock.nanos / 1e6;
     if (byte === 13) {
       ms.line = clock.nanos / 1e6;
       delete ms.step;
@@ -70,6 +70,7 @@ export default function probe(mcu, elf, until, out, profile = '0') {
     step(pc, n, waiting) {
       if (core.SP < low && stage >= 0) low = core.SP;
       if ((until === 'step' || until === 'pen') && ms[until] !== undefined) return true;
+      if (until === 'again' && ms.line > ms.stopped && ms.pen !== undefined) return true;
       if (waiting) {
         cycles.waiting += n;
         return false;
