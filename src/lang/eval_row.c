@@ -69,7 +69,7 @@ static inline bool is_rare(const value_t *a, const value_t *b) {
 
 /* Functions of their own: a small core keeps more in registers. */
 static __attribute__((noinline)) num_t add_cancelling(int64_t am, int32_t ae, int64_t bm, int32_t be) {
-    return num_double_add((num_t){am, ae, false}, (num_t){bm, be, false});
+    return num_double_difference_narrow((num_t){am, ae, false}, (num_t){bm, be, false});
 }
 static inline num_t sum(int64_t am, int32_t ae, int64_t bm, int32_t be) {
     if (!NUM_DOUBLE_NARROW) return num_double_add((num_t){am, ae, false}, (num_t){bm, be, false});

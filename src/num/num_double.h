@@ -105,15 +105,63 @@ static inline __attribute__((always_inline)) num_t num_double_sum_narrow(num_t a
     return num_double_round_lost(words_add(big, small), lost, e, sign);
 }
 
-/* Where it need not be inline. */
+/* A sum of two of opposite signs, neither of them zero. Two bits below the lowest of the larger one and whether
+ * anything is below them decide its rounding, unless the tops are next to one another: then it is exact before it is
+ * rounded. */
+static inline num_t num_double_difference_narrow(num_t a, num_t b) {
+    int32_t d = a.e - b.e, e = a.e;
+    words_t big = words_of((uint64_t)a.m), small = words_of((uint64_t)b.m);
+    if (d < 0) {
+        const words_t other = big;
+        big = small;
+        small = other;
+        d = -d;
+        e = b.e;
+    }
+    if (NUM_FAST_RARE(d > 63)) return (num_t){(int64_t)words_join(big), e, false};
+    uint32_t sign = words_sign(big);
+    big = words_with_sign(big, sign);
+    small = words_with_sign(small, ~sign);
+    if (d >= 2) {
+        uint32_t lost = 0;
+        if (d > 32) {
+            lost = words_lo(small);
+            small = words(0, words_hi(small));
+            d -= 32;
+        }
+        if (d > 1) {
+            lost |= words_lo(small) << (33 - d);
+            small = words_shr(small, d - 1);
+        }
+        words_t u = words_sub(words_shl(big, 1), small); /* from 2^62 on */
+        if (lost) u = words_sub(u, words(0, 1));
+        return num_double_round_lost(u, lost, e - 1, sign);
+    }
+    words_t u = words_sub(d ? words_shl(big, 1) : big, small);
+    e -= d;
+    if (d == 0 && words_sign(u)) {
+        u = words_with_sign(u, ~0u);
+        sign = ~sign;
+    }
+    if (words_hi(u) == 0) {
+        if (words_lo(u) == 0) return (num_t){0, 0, false};
+        u = words(words_lo(u), 0);
+        e -= 32;
+    }
+    const int n = ints_clz32(words_hi(u)) - 1;
+    if (n > 0) u = words_shl(u, n);
+    return num_double_round_lost(u, 0, n > 0 ? e - n : e, sign);
+}
+
+/* Where they need not be inline. */
 static inline num_t num_double_add_narrow(num_t a, num_t b) {
-    return num_double_sum_narrow(a, b);
+    return (a.m ^ b.m) >= 0 ? num_double_sum_narrow(a, b) : num_double_difference_narrow(a, b);
 }
 
 /* As num_fast_add, which has the reasons, but for the rounding. */
 static inline num_t num_double_add(num_t a, num_t b) {
     if (num_double_rare(a, b)) return num_fast_add_rare(a, b);
-    if (NUM_DOUBLE_NARROW && (a.m ^ b.m) >= 0) return num_double_add_narrow(a, b);
+    if (NUM_DOUBLE_NARROW) return num_double_add_narrow(a, b);
     int32_t d = a.e - b.e, e = d < 0 ? b.e : a.e;
     int64_t big = d < 0 ? b.m : a.m, small = d < 0 ? a.m : b.m;
     if (!NUM_DOUBLE_NARROW) { /* compilers take a branch for that, and guess it wrong */
