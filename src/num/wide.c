@@ -85,46 +85,25 @@ uint64_t wide_div_u64(uint64_t hi, uint64_t lo, uint64_t d, uint64_t *rem) {
 
 #ifdef WIDE_ROUTINE
 
-/* a:low = a * b, as wide_mul_u32. */
-#define MUL(a, b, low, t, u)                                                                                           \
-    "uxth " t ", " a "\n"                                                                                              \
-    "lsrs " a ", " a ", #16\n"                                                                                         \
-    "lsrs " u ", " b ", #16\n"                                                                                         \
-    "uxth " b ", " b "\n"                                                                                              \
-    "movs " low ", " t "\n"                                                                                            \
-    "muls " low ", " b "\n"                                                                                            \
-    "muls " b ", " a "\n"                                                                                              \
-    "muls " a ", " u "\n"                                                                                              \
-    "muls " u ", " t "\n"                                                                                              \
-    "adds " u ", " b "\n"                                                                                              \
-    "movs " t ", #0\n"                                                                                                 \
-    "adcs " t ", " t "\n"                                                                                              \
-    "lsls " t ", " t ", #16\n"                                                                                         \
-    "adds " a ", " t "\n"                                                                                              \
-    "lsls " t ", " u ", #16\n"                                                                                         \
-    "lsrs " u ", " u ", #16\n"                                                                                         \
-    "adds " low ", " t "\n"                                                                                            \
-    "adcs " a ", " u "\n"
-
 /* r3:r2:r1:r0 = r1:r0 * r3:r2; ip and lr hold words meanwhile. About 105 cycles. */
 __attribute__((naked, used)) void wide_mul_words(void) {
     __asm(".syntax unified\n"
           "push {r4, r5, r6, r7, lr}\n"
           "mov ip, r0\n"
-          "mov lr, r2\n" MUL("r0", "r2", "r4", "r5", "r6") /* low low: r0:r4 */
+          "mov lr, r2\n" WIDE_M0_MUL_U32("r0", "r2", "r4", "r5", "r6") /* low low: r0:r4 */
           "mov r2, ip\n"
           "mov ip, r4\n"
-          "movs r5, r3\n" MUL("r2", "r5", "r4", "r6", "r7") /* low high: r2:r4 */
+          "movs r5, r3\n" WIDE_M0_MUL_U32("r2", "r5", "r4", "r6", "r7") /* low high: r2:r4 */
           "adds r0, r4\n"
           "movs r5, #0\n"
           "adcs r2, r5\n"
           "mov r5, lr\n"
-          "mov lr, r1\n" MUL("r1", "r5", "r4", "r6", "r7") /* high low: r1:r4 */
+          "mov lr, r1\n" WIDE_M0_MUL_U32("r1", "r5", "r4", "r6", "r7") /* high low: r1:r4 */
           "adds r0, r4\n"
           "adcs r2, r1\n"
           "movs r4, #0\n"
           "adcs r4, r4\n"
-          "mov r1, lr\n" MUL("r1", "r3", "r5", "r6", "r7") /* high high: r1:r5 */
+          "mov r1, lr\n" WIDE_M0_MUL_U32("r1", "r3", "r5", "r6", "r7") /* high high: r1:r5 */
           "adds r2, r5\n"
           "adcs r4, r1\n"
           "movs r1, r0\n"

@@ -14,6 +14,8 @@
 
 #include <stdint.h>
 
+#include "num/wide_m0.h"
+
 /* Members of the structures that travel by value. gcc copies a structure in registers on a Cortex-M0 if it is aligned
  * to 4 and calls memcpy if it is aligned to 8: 70 cycles a copy, and there was a copy for every operand. */
 typedef int64_t wide_s64_t __attribute__((aligned(4)));
@@ -43,30 +45,12 @@ static inline wide_t wide_of_native(wide_native_u_t a) {
 #endif
 
 /* a * b of 32-bit operands. On a Cortex-M0, whose products have 32 bits, the plain expression would call a library
- * routine that multiplies all 64 bits (45 instructions). Of the halves these make 18 and 20; the compiler, given the
- * same in C, 25, and everything that is exact here consists of them. */
+ * routine that multiplies all 64 bits (45 instructions). Of the halves these make 18 and 20, and everything that is
+ * exact here consists of them. */
 static inline uint64_t wide_mul_u32(uint32_t a, uint32_t b) {
 #if defined __ARM_ARCH_6M__ && defined __arm__
     uint32_t low, t, u;
-    __asm(".syntax unified\n"
-          "uxth %[t], %[a]\n"
-          "lsrs %[a], %[a], #16\n"
-          "lsrs %[u], %[b], #16\n"
-          "uxth %[b], %[b]\n"
-          "movs %[low], %[t]\n"
-          "muls %[low], %[b]\n" /* low low */
-          "muls %[b], %[a]\n"   /* high low */
-          "muls %[a], %[u]\n"   /* high high */
-          "muls %[u], %[t]\n"   /* low high */
-          "adds %[u], %[b]\n"
-          "movs %[t], #0\n"
-          "adcs %[t], %[t]\n"
-          "lsls %[t], %[t], #16\n"
-          "adds %[a], %[t]\n"
-          "lsls %[t], %[u], #16\n"
-          "lsrs %[u], %[u], #16\n"
-          "adds %[low], %[t]\n"
-          "adcs %[a], %[u]\n"
+    __asm(".syntax unified\n" WIDE_M0_MUL_U32("%[a]", "%[b]", "%[low]", "%[t]", "%[u]")
           : [a] "+l"(a), [b] "+l"(b), [low] "=&l"(low), [t] "=&l"(t), [u] "=&l"(u)
           :
           : "cc");
@@ -77,29 +61,9 @@ static inline uint64_t wide_mul_u32(uint32_t a, uint32_t b) {
 }
 static inline int64_t wide_mul_s32(int32_t a, int32_t b) {
 #if defined __ARM_ARCH_6M__ && defined __arm__
-    /* The upper halves have the signs: no sum leaves 32 bits, and nothing is to be put right afterwards. */
     int32_t low, t, u;
-    __asm(".syntax unified\n"
-          "uxth %[t], %[a]\n"
-          "asrs %[a], %[a], #16\n"
-          "asrs %[u], %[b], #16\n"
-          "uxth %[b], %[b]\n"
-          "movs %[low], %[t]\n"
-          "muls %[low], %[b]\n" /* low low */
-          "muls %[b], %[a]\n"   /* high low */
-          "muls %[a], %[u]\n"   /* high high */
-          "muls %[u], %[t]\n"   /* low high */
-          "lsrs %[t], %[low], #16\n"
-          "adds %[b], %[t]\n"
-          "uxth %[t], %[b]\n"
-          "adds %[u], %[t]\n"
-          "asrs %[b], %[b], #16\n"
-          "adds %[a], %[b]\n"
-          "asrs %[t], %[u], #16\n"
-          "adds %[a], %[t]\n"
-          "lsls %[u], %[u], #16\n"
-          "uxth %[low], %[low]\n"
-          "orrs %[low], %[u]\n"
+    __asm(".syntax unified\n" WIDE_M0_MULHI_S32("%[a]", "%[b]", "%[low]", "%[t]", "%[u]") /* and the lower word */
+          "lsls %[u], %[u], #16\n uxth %[low], %[low]\n orrs %[low], %[u]\n"
           : [a] "+l"(a), [b] "+l"(b), [low] "=&l"(low), [t] "=&l"(t), [u] "=&l"(u)
           :
           : "cc");

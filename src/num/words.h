@@ -95,24 +95,7 @@ static inline words_t words_square_s32(int32_t a) {
 }
 static inline int32_t words_mulhi_s32(int32_t a, int32_t b) {
     int32_t low, t, u;
-    __asm(".syntax unified\n"
-          "uxth %[t], %[a]\n"
-          "asrs %[a], %[a], #16\n"
-          "asrs %[u], %[b], #16\n"
-          "uxth %[b], %[b]\n"
-          "movs %[low], %[t]\n"
-          "muls %[low], %[b]\n" /* low low */
-          "muls %[b], %[a]\n"   /* high low */
-          "muls %[a], %[u]\n"   /* high high */
-          "muls %[u], %[t]\n"   /* low high */
-          "lsrs %[low], %[low], #16\n"
-          "adds %[b], %[low]\n"
-          "uxth %[t], %[b]\n"
-          "adds %[u], %[t]\n"
-          "asrs %[b], %[b], #16\n"
-          "adds %[a], %[b]\n"
-          "asrs %[u], %[u], #16\n"
-          "adds %[a], %[u]\n"
+    __asm(".syntax unified\n" WIDE_M0_MULHI_S32("%[a]", "%[b]", "%[low]", "%[t]", "%[u]")
           : [a] "+l"(a), [b] "+l"(b), [low] "=&l"(low), [t] "=&l"(t), [u] "=&l"(u)
           :
           : "cc");
