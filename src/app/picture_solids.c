@@ -8,6 +8,7 @@
 #include "hidden/solid/once.h"
 #include "hidden/solid/seams.h"
 #include "hidden/solid/wires.h"
+#include "hidden/surface/perimeter.h"
 #include "scene/surface_mesh.h"
 #include "view/dash.h"
 #include <string.h>
@@ -39,6 +40,20 @@ static void list_meshes(const plot_t *plot, meshes_t *m) {
         if (!plot->item[k].solid) surface_mesh_counts(&plot->item[k].surface, wants_triangles(plot), &m->of[k]);
     }
 }
+
+#if CONFIG_AREA
+bool picture_surfaces_are_solids(const plot_t *plot) {
+    const settings_t *s = plot->settings;
+    const bool area = s->hidden == HIDDEN_AREA;
+    bool same = true;
+    if (area && s->shadow) return true;
+    if (s->hidden == HIDDEN_NONE || s->hidden == HIDDEN_HORIZON || s->hidden == HIDDEN_HALO) return false;
+    if (s->hatch_um > 0 && !area) return false; /* only the area sort hatches faces */
+    for (int32_t k = 1; k < plot->n && same; k++)
+        same = perimeter_same_points(&plot->item[0].surface, &plot->item[k].surface);
+    return !same;
+}
+#endif
 
 bool picture_is_solid(const plot_t *plot) {
     bool solid = plot->kind == PLOT_SOLIDS && !picture_is_terrain(plot);

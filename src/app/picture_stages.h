@@ -31,11 +31,15 @@ int32_t picture_lights(const settings_t *set, light_t light[LIGHTS_MAX]);
 static inline bool picture_is_terrain(const plot_t *plot) {
     return plot->kind == PLOT_SOLIDS && plot->settings->hidden == HIDDEN_HORIZON;
 }
-/* Drawn as solids? So are surfaces alone if they are to cast shadows. */
+#if CONFIG_AREA
+/* Surfaces alone that are drawn as solids: they are to cast shadows; or hide each other, and have not the same points.
+ */
+bool picture_surfaces_are_solids(const plot_t *plot);
+#endif
+/* Drawn as solids? */
 static inline bool picture_wants_solids(const plot_t *plot) {
 #if CONFIG_AREA
-    const settings_t *s = plot->settings;
-    if (plot->kind == PLOT_SURFACES && s->hidden == HIDDEN_AREA && s->shadow) return true;
+    if (plot->kind == PLOT_SURFACES) return picture_surfaces_are_solids(plot);
 #endif
     return plot->kind == PLOT_SOLIDS && !picture_is_terrain(plot);
 }

@@ -232,6 +232,21 @@ data_blocks() {
     expect_text err 'column 1: the name of a data block expected'
 }
 
+surfaces_over_different_points_hide_each_other() {
+    printf '0 0 0\n0 9 0\n\n9 0 0\n9 9 0\n' >flat.dat
+    cat >several.gp <<'.'
+set xrange [0:9]; set yrange [0:9]; set zrange [0:6]; set view 0,0; set isosamples 12
+splot 5 + 0*x
+splot 'flat.dat', 5 + 0*x
+set view 180,0; replot
+set hidden3d area; set hatch 45,5; replot
+.
+    ridgeline plot several.gp -o several.seg --stats several.json
+    # From above there is one, from below the other, whose border is that of both.
+    awk -F'[:,]' '/"pen_down_mm"/ { down[++n] = $2 }
+        END { exit !(n == 4 && (d = down[2] - down[1]) * d < 1e-4 && down[3] < down[1] / 3 && down[3] > 100 && down[4] > down[3]) }' several.json
+}
+
 an_empty_page_is_told() {
     printf '0 0 NaN\n0 1 2\n\n1 0 3\n1 1 4\n' >holes.dat
     echo 'splot "holes.dat"' | ridgeline plot - -o a.svg 2>err
@@ -258,4 +273,4 @@ run_tests every_suffix_is_written a_scene_behind_the_eye_is_told data_that_is_no
     print_goes_to_stdout data_beside_the_scene_is_found inline_data an_error_shows_line_column_and_caret \
     bad_input_draws_nothing_and_says_2 a_known_but_ignored_option_is_warned_of_once bad_options_get_a_hint \
     what_is_not_the_inputs_fault_says_1 help_and_version pause_does_not_wait_without_a_terminal \
-    hidden_dem_runs_to_its_end data_blocks an_empty_page_is_told what_cannot_be_printed_is_told no_progress_off_a_terminal
+    hidden_dem_runs_to_its_end data_blocks surfaces_over_different_points_hide_each_other an_empty_page_is_told what_cannot_be_printed_is_told no_progress_off_a_terminal

@@ -102,13 +102,12 @@ size_t perimeter_bytes_least(int32_t nx, int32_t vertices) {
     return HIDDEN_LENT(sweep_t) + sweep_bytes(nx, 1, false) + (size_t)vertices * sizeof(pencil_t);
 }
 
-static bool same_points(const grid_t *a, const grid_t *b) {
-    if (a->nx != b->nx || a->ny != b->ny) return false;
-    const surface_t *s = a->src, *t = b->src;
-    for (int32_t i = 0; i < a->nx; i++) {
+bool perimeter_same_points(const surface_t *s, const surface_t *t) {
+    if (s->nx != t->nx || s->ny != t->ny) return false;
+    for (int32_t i = 0; i < s->nx; i++) {
         if (num_cmp(s->x_of(s->ctx, i), t->x_of(t->ctx, i)) != 0) return false;
     }
-    for (int32_t j = 0; j < a->ny; j++) {
+    for (int32_t j = 0; j < s->ny; j++) {
         if (num_cmp(s->y_of(s->ctx, j), t->y_of(t->ctx, j)) != 0) return false;
     }
     return true;
@@ -133,7 +132,7 @@ static int draw(grid_t *const grid[], int32_t n, const camera_t *cam, const hidd
     job = &rest;
     if (n > 1 && !several) return ERR_UNSUPPORTED;
     for (int32_t k = 0; k < n; k++) {
-        if (k > 0 && !same_points(grid[0], grid[k])) return ERR_UNSUPPORTED;
+        if (k > 0 && !perimeter_same_points(grid[0]->src, grid[k]->src)) return ERR_UNSUPPORTED;
         evaluated -= grid[k]->evaluated;
     }
     const sweep_row_t row = several ? cells_row : windows ? holes_row : facets_row;

@@ -26,6 +26,8 @@ int perimeter_draw(grid_t *g, const camera_t *cam, const hidden_job_t *job, hidd
  * differ. */
 int perimeter_draw_several(grid_t *const grid[], int32_t n, const camera_t *cam, const hidden_job_t *job,
                            hidden_stats_t *stats);
+/* Have they the same points? */
+bool perimeter_same_points(const surface_t *s, const surface_t *t);
 
 #if CONFIG_AREA
 struct shaded;
