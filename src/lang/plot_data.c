@@ -15,8 +15,9 @@ static num_t compute(void *ctx, int32_t part) {
     session_t *s = ctx;
     value_t v;
     /* Parameters of what is sampled are its columns. */
-    int err = expr_eval(&s->lang, &s->plot.source[s->plot.next].part[part], s->plot.reader.column + 1, &v);
-    if (err && !s->plot.data_error) s->plot.data_error = expr_fault(&s->lang, NULL, &s->error); /* the first one */
+    const session_source_t *src = &s->plot.source[s->plot.next];
+    int err = expr_eval(&s->lang, &src->part[part], s->plot.reader.column + 1, &v);
+    if (err && !s->plot.data_error) s->plot.data_error = expr_fault(&s->lang, &src->name, &s->error); /* the first */
     return value_num(v);
 }
 
@@ -160,7 +161,7 @@ int plot_data_done(session_t *s) {
     int n = data_reader_finish(&s->plot.reader);
     s->lang.column = NULL;
     if (s->plot.data_error && (n >= 0 || n == ERR_EMPTY)) {
-        s->error.column = src->column;
+        if (s->error.column == 0) s->error.column = src->column;
         return s->plot.data_error;
     }
     if (n < 0) return plot_data_failed(s, src, n);

@@ -134,6 +134,9 @@ int session_line(session_t *s, const char *text) {
 #endif
     f->line++;
     if (s->quit || session_pass_over(s, text)) return 0;
+#if CONFIG_LOAD_DEPTH
+    s->row = s->plot.waiting ? text : NULL;
+#endif
     if (s->plot.waiting) {
         bool stopped = false;
         err = plot_feed(s, text, n, &stopped);

@@ -165,6 +165,7 @@ typedef struct session {
 #if CONFIG_LOAD_DEPTH
     bool in_block;                 /* lines are those of a data block */
     char block[32], block_end[32]; /* its name; the line that ends it */
+    const char *row;               /* of inline data, as session_line() was given it; or NULL */
     char print_to[32];             /* set print: the block that gets what is printed, or "" */
 #endif
     bool rows_left;     /* the inline data were refused, and rows of them are still coming */

@@ -91,6 +91,37 @@ static void report(session_t *s, const char *name, const char *text, size_t len)
     port->warn(port->ctx, reason);
 }
 
+#if CONFIG_LOAD_DEPTH
+/* Line number `line` of a file, as much of it as fits, without its end; NULL if it cannot be had again. */
+static const char *line_of_file(session_t *s, const char *name, int32_t line, char *out, size_t size) {
+    session_chunk_t *c = &s->frame_chunk[0]; /* no data file is open now */
+    const session_port_t *port = s->port;
+    const int handle = port->open(port->ctx, name);
+    if (handle < 0) return NULL;
+    text_t t = text_start(out, size);
+    int32_t at = 1;
+    for (int n; at <= line && (n = port->read(port->ctx, handle, c->bytes, CONFIG_READ_CHUNK)) > 0;) {
+        for (const char *p = c->bytes, *end = p + n; p < end && at <= line;) {
+            const char *stop = memchr(p, '\n', (size_t)(end - p));
+            if (!stop) stop = end;
+            if (at == line) text_add_bytes(&t, p, (size_t)(stop - p));
+            at += stop < end;
+            p = stop + 1;
+        }
+    }
+    port->close(port->ctx, handle);
+    if (t.len > 0 && out[t.len - 1] == '\r') out[t.len - 1] = '\0';
+    return t.len > 0 ? out : NULL;
+}
+
+/* The row of data that the error is about, or NULL. */
+static const char *row_of_error(session_t *s, const char *name, char *out, size_t size) {
+    if (s->error.column == 0) return NULL;
+    if (s->plot.waiting && s->frames == 1) return s->row;
+    return name ? line_of_file(s, name, s->error.line, out, size) : NULL;
+}
+#endif
+
 void session_report(session_t *s) {
     if (s->error.line == 0) { /* in the text, not in data */
         const char *text;
@@ -98,6 +129,11 @@ void session_report(session_t *s) {
         place_error(s, &text, &len);
         report(s, session_top(s)->name, text, len);
     } else {
-        report(s, s->plot.waiting ? session_top(s)->name : s->frame_name[0], NULL, 0);
+        const char *name = s->plot.waiting ? session_top(s)->name : s->frame_name[0], *row = NULL;
+#if CONFIG_LOAD_DEPTH
+        char line[400];
+        row = row_of_error(s, name, line, sizeof line);
+#endif
+        report(s, name, row, row ? strcspn(row, "\r\n") : 0);
     }
 }

@@ -148,7 +148,9 @@ data_that_is_no_data_is_named() {
     printf '0;0;1\n0;1;2\n\n1;0;3\n' >s.csv
     echo 'splot "s.csv"' >bad.gp
     expect_status 2 ridgeline plot bad.gp -o a.svg 2>err
-    [ "$(cat err)" = '"s.csv", line 2, column 1: not a number' ] # without an empty line and a caret
+    [ "$(cat err)" = '0;1;2
+^
+"s.csv", line 2, column 1: not a number' ]
 }
 
 what_the_machine_cannot_reach_leaves_no_trace() {
@@ -247,6 +249,20 @@ set hidden3d area; set hatch 45,5; replot
         END { exit !(n == 4 && (d = down[2] - down[1]) * d < 1e-4 && down[3] < down[1] / 3 && down[3] > 100 && down[4] > down[3]) }' several.json
 }
 
+errors_in_data_show_the_row() {
+    printf '0 0 1\r\n0 1 2\r\n\r\n1 0 bar\r\n1 1 4\r\n' >bad.dat
+    echo 'splot "bad.dat"' | expect_status 2 ridgeline plot - 2>err
+    printf '1 0 bar\n    ^\n"bad.dat", line 4, column 5: not a number\n' | cmp - err
+    printf 'splot "-"\n0 0 1\n\t0 1 x\ne\n' >bad.gp
+    printf '\t0 1 x\n\t    ^\n"bad.gp", line 3, column 6: not a number\n' >want
+    expect_status 2 ridgeline plot bad.gp 2>err
+    cmp want err
+    echo 'load "bad.gp"' | expect_status 2 ridgeline plot - 2>err
+    cmp want err
+    echo 'splot "bad.dat" skip 4 using 1:2:(1+nobody)' | expect_status 2 ridgeline plot - 2>err
+    expect_text err 'line 1, column 37: undefined variable: nobody'
+}
+
 an_empty_page_is_told() {
     printf '0 0 NaN\n0 1 2\n\n1 0 3\n1 1 4\n' >holes.dat
     echo 'splot "holes.dat"' | ridgeline plot - -o a.svg 2>err
@@ -273,4 +289,4 @@ run_tests every_suffix_is_written a_scene_behind_the_eye_is_told data_that_is_no
     print_goes_to_stdout data_beside_the_scene_is_found inline_data an_error_shows_line_column_and_caret \
     bad_input_draws_nothing_and_says_2 a_known_but_ignored_option_is_warned_of_once bad_options_get_a_hint \
     what_is_not_the_inputs_fault_says_1 help_and_version pause_does_not_wait_without_a_terminal \
-    hidden_dem_runs_to_its_end data_blocks surfaces_over_different_points_hide_each_other an_empty_page_is_told what_cannot_be_printed_is_told no_progress_off_a_terminal
+    hidden_dem_runs_to_its_end data_blocks surfaces_over_different_points_hide_each_other errors_in_data_show_the_row an_empty_page_is_told what_cannot_be_printed_is_told no_progress_off_a_terminal
