@@ -62,6 +62,11 @@
 #define CONFIG_SAMPLED CONFIG_PARAMETRIC
 #endif
 
+/* Bounds of autoscaled ends, [0<*<3:] (0 or 1): 64 bytes of RAM a range. */
+#ifndef CONFIG_BOUNDED
+#define CONFIG_BOUNDED (CONFIG_LOAD_DEPTH > 0)
+#endif
+
 /* set dgrid3d (0 or 1): 3 KB of flash. */
 #ifndef CONFIG_SCATTERED
 #define CONFIG_SCATTERED CONFIG_AREA

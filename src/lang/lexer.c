@@ -268,6 +268,7 @@ int lexer_string(const lexer_t *lx, char *out, size_t size) {
 int lexer_unexpected(const lexer_t *lx, lang_error_t *err, const char *what) {
     int32_t column = lexer_column(lx);
     if (lx->tok.kind == TOKEN_BAD) return lang_error_set(err, ERR_SYNTAX, column, lx->tok.bad);
+    if (CONFIG_CONTROL && lx->tok.kind == '\\') what = "nothing may stand behind a \\ that continues the line";
     if (what) return lang_error_set(err, ERR_SYNTAX, column, what);
     if (lx->tok.kind == TOKEN_END) return lang_error_set(err, ERR_SYNTAX, column, "more was expected");
     return lang_error_set_name(err, ERR_SYNTAX, column, "unexpected or unrecognized token", lexer_text(lx),

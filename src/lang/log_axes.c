@@ -65,6 +65,13 @@ int log_axes_ranges(session_t *s, const lexer_t *at) {
             return session_fail(s, at, ERR_VALUE, "a logarithmic axis has no values but above 0; see its range");
         if (!r->auto_lo) r->lo = log_scale(base, r->lo);
         if (!r->auto_hi) r->hi = log_scale(base, r->hi);
+#if CONFIG_BOUNDED
+        for (int i = 0; i < 4; i++)
+            if ((r->bounded >> i & 1) && num_sign(r->bound[i]) > 0)
+                r->bound[i] = log_scale(base, r->bound[i]);
+            else
+                r->bounded &= (uint8_t) ~(1 << i);
+#endif
     }
     return 0;
 }

@@ -38,14 +38,20 @@ static bool data_extent(session_t *s, int k, num_t out[2]) {
     return any;
 }
 
+void plot_extent(session_t *s, int k, num_t out[2]) {
+    out[0] = num_from_i64(-10);
+    out[1] = num_from_i64(10);
+#if CONFIG_LOGSCALE
+    log_axes_open_range(s, k, out);
+#endif
+    data_extent(s, k, out);
+}
+
 /* Where functions are drawn along axis k: the range, its automatic ends being those of the data, else -10 and 10. */
 static int function_range(session_t *s, int k, num_t *lo, num_t *hi) {
     const range_t *r = &s->plot.range[k];
-    num_t all[2] = {num_from_i64(-10), num_from_i64(10)};
-#if CONFIG_LOGSCALE
-    log_axes_open_range(s, k, all);
-#endif
-    data_extent(s, k, all);
+    num_t all[2];
+    plot_extent(s, k, all);
     *lo = r->auto_lo ? all[0] : r->lo;
     *hi = r->auto_hi ? all[1] : r->hi;
     if (num_cmp(*lo, *hi) < 0) return 0;

@@ -37,7 +37,7 @@ static void swap_ranges(session_t *s) {
 static int draw(session_t *s) {
     for (int32_t k = 0; k < s->plot.sources; k++)
         if (session_is_curved(&s->plot.source[k])) s->plot.kind = PLOT_SOLIDS; /* as their data turned out */
-    int n = plot_items(s);
+    int n = CONFIG_BOUNDED ? plot_items_in_bounds(s) : plot_items(s);
     if (n < 0) return n;
     if (CONFIG_PARAMETRIC && n == 0) return plot_fail(s, &s->plot.source[0], ERR_EMPTY, error_text(ERR_EMPTY));
     int32_t seed[2] = {s->lang.seed[0], s->lang.seed[1]};

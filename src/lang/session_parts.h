@@ -200,6 +200,10 @@ int plot_parametric(session_t *s, session_source_t *src);
 void plot_limits(const session_t *s, isolines_t *iso);
 /* plot_items.c: fills s->plot.item[]; the number of items, or an error. */
 int plot_items(session_t *s);
+/* The extent of the data along x (k = 0) or y; where functions are drawn if there are none. */
+void plot_extent(session_t *s, int k, num_t out[2]);
+/* plot_bounds.c: plot_items, within the bounds of the ranges. */
+int plot_items_in_bounds(session_t *s);
 /* plot_run.c */
 int plot_fail(session_t *s, const session_source_t *src, int code, const char *message); /* at src's column */
 int plot_command(session_t *s, lexer_t *lx, enum plot_kind kind, uint32_t from);         /* where its line begins */

@@ -1,20 +1,55 @@
-/* set_range.c - axis ranges: [lo:hi], [hi:lo], [*:5], [:5], [u=0:1]; and autoscale. */
+/* set_range.c - axis ranges: [lo:hi], [hi:lo], [*:5], [:5], [0<*<2:], [u=0:1]; and autoscale. */
 #include "lang/session_parts.h"
 
-/* One end: a number, `*` for autoscale, or nothing for as it was. */
-static int range_end(session_t *s, lexer_t *lx, bool *automatic, num_t *value, bool *given) {
-    *given = false;
+/* What was typed for one end. */
+typedef struct range_end {
+    bool automatic, given; /* a number was */
+    num_t value;
+#if CONFIG_BOUNDED
+    uint8_t bounded; /* 1: least, 2: most, of an automatic one */
+    num_t bound[2];
+#endif
+} range_end_t;
+
+/* A number, `*` for autoscale, `a<*<b` for that within bounds, or nothing for as it was. */
+static int range_end(session_t *s, lexer_t *lx, range_end_t *e) {
+    e->given = false;
     if (lx->tok.kind == ':' || lx->tok.kind == ']') return 0;
-    if (lx->tok.kind == '*') {
-        lexer_next(lx);
-        *automatic = true;
-        return 0;
+    num_t v;
+    if (lx->tok.kind != '*') {
+        int err = expr_number(&s->lang, lx, &v, &s->error);
+        if (err) return err;
+#if CONFIG_BOUNDED
+        if (lexer_accept(lx, '<')) {
+            *e = (range_end_t){.bounded = 1, .bound = {v}};
+        } else
+#endif
+        {
+            *e = (range_end_t){.given = true, .value = v};
+            return 0;
+        }
+    } else {
+        *e = (range_end_t){0};
     }
-    int err = expr_number(&s->lang, lx, value, &s->error);
-    if (err) return err;
-    *automatic = false;
-    *given = true;
+    e->automatic = true;
+    lexer_next(lx);
+#if CONFIG_BOUNDED
+    if (lexer_accept(lx, '<')) {
+        e->bounded |= 2;
+        return expr_number(&s->lang, lx, &e->bound[1], &s->error);
+    }
+#endif
     return 0;
+}
+
+/* The end of a range as it was. */
+static range_end_t end_of(const range_t *r, bool high) {
+    range_end_t e = {.automatic = high ? r->auto_hi : r->auto_lo, .value = high ? r->hi : r->lo};
+#if CONFIG_BOUNDED
+    e.bounded = r->bounded >> 2 * high & 3;
+    for (int k = 0; k < 2; k++) e.bound[k] = r->bound[2 * high + k];
+#endif
+    return e;
 }
 
 int set_range(session_t *s, lexer_t *lx, range_t *r, lexer_t *name, num_t *step) {
@@ -30,30 +65,36 @@ int set_range(session_t *s, lexer_t *lx, range_t *r, lexer_t *name, num_t *step)
         }
     }
     /* The ends in the order they are typed. */
-    bool auto_from = r->reverse ? r->auto_hi : r->auto_lo, auto_to = r->reverse ? r->auto_lo : r->auto_hi;
-    num_t from = r->reverse ? r->hi : r->lo, to = r->reverse ? r->lo : r->hi;
-    bool given_from = false, given_to = false;
-    int err = range_end(s, lx, &auto_from, &from, &given_from);
+    range_end_t from = end_of(r, r->reverse), to = end_of(r, !r->reverse);
+    int err = range_end(s, lx, &from);
     if (err) return err;
     if (lexer_accept(lx, ':')) {
-        err = range_end(s, lx, &auto_to, &to, &given_to);
+        err = range_end(s, lx, &to);
         if (err) return err;
         if (step && lexer_accept(lx, ':')) err = expr_number(&s->lang, lx, step, &s->error);
         if (err) return err;
-    } else if (given_from) {
+    } else if (from.given) {
         return lexer_unexpected(lx, &s->error, "':' expected");
     }
     if (!lexer_accept(lx, ']')) return lexer_unexpected(lx, &s->error, "']' expected");
     bool reverse = r->reverse;
-    if (auto_from || auto_to) {
+    if (from.automatic || to.automatic) {
         reverse = false;
-    } else if (given_from || given_to) {
-        int order = num_cmp(from, to);
+    } else if (from.given || to.given) {
+        int order = num_cmp(from.value, to.value);
         if (order == 0) return session_fail(s, &bracket, ERR_VALUE, "this range is empty");
         reverse = order > 0;
     }
-    *r = (range_t){reverse ? auto_to : auto_from, reverse ? auto_from : auto_to, reverse, reverse ? to : from,
-                   reverse ? from : to};
+    const range_end_t *lo = reverse ? &to : &from, *hi = reverse ? &from : &to;
+    *r = (range_t){
+        .auto_lo = lo->automatic, .auto_hi = hi->automatic, .reverse = reverse, .lo = lo->value, .hi = hi->value};
+#if CONFIG_BOUNDED
+    r->bounded = (uint8_t)(lo->bounded | hi->bounded << 2);
+    for (int k = 0; k < 2; k++) {
+        r->bound[k] = lo->bound[k];
+        r->bound[2 + k] = hi->bound[k];
+    }
+#endif
     return 0;
 }
 

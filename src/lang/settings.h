@@ -14,6 +14,10 @@ typedef struct range {
     bool auto_lo, auto_hi; /* this end is autoscaled; the value is then not used */
     bool reverse;          /* [hi:lo] was typed: the axis runs backwards; lo < hi all the same */
     num_t lo, hi;
+#if CONFIG_BOUNDED
+    uint8_t bounded; /* bit k: bound[k] holds for where an autoscaled end may be */
+    num_t bound[4];  /* of lo: least, greatest; of hi */
+#endif
 } range_t;
 
 enum hidden_mode {

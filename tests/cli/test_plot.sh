@@ -263,6 +263,36 @@ errors_in_data_show_the_row() {
     expect_text err 'line 1, column 37: undefined variable: nobody'
 }
 
+autoscaled_ends_stay_within_bounds() {
+    n=0
+    # A bound that the data cross is where the range ends; one that they do not reach changes nothing.
+    while IFS='@' read -r bounded plain scene; do
+        n=$((n + 1))
+        printf '%s\n%s\n' "set $bounded" "$scene" | ridgeline plot - -o "bounded.seg"
+        printf '%s\n%s\n' "set $plain" "$scene" | ridgeline plot - -o "plain.seg"
+        cmp bounded.seg plain.seg || { echo "$bounded is not $plain"; return 1; }
+    done <<'.'
+zrange [0<*:]@zrange [0:]@splot x*y
+zrange [-500<*:]@zrange [*:]@splot x*y
+zrange [*<-150:*<60]@zrange [-150:60]@splot x*y
+zrange [:150<*<500]@zrange [:150]@splot x*y
+zrange [-50 < * < 0 : * ]@zrange [-50:]@unset hidden3d; splot x*y
+zrange [-50<*:]@zrange [-50:]@set hidden3d horizon; splot x*y
+xrange [-2<*:*<2]; set yrange [*<-20:]@xrange [-2:2]; set yrange [-20:]@splot x*y
+xrange [*:*<2]@xrange [*:2]@plot x**2
+yrange [-1<*:*<5]@yrange [*:5]@plot x**2
+zrange [0<*<9:]; set zrange [0:]@zrange [0:]@splot x*y
+zrange [1<*:]; set logscale z@zrange [1:]; set logscale z@splot exp(x)+0.1
+.
+    [ $n -eq 11 ]
+    echo 'set zrange [-20<*<-5:5<*<20]; show zrange' | ridgeline plot - >out
+    [ "$(cat out)" = 'set zrange [-20<*<-5:5<*<20]' ]
+    echo 'set xrange [1<*<]' | expect_status 2 ridgeline plot - 2>err
+    expect_text err 'column 17: invalid expression'
+    echo 'splot x \\ # more' | expect_status 2 ridgeline plot - 2>err
+    expect_text err 'column 9: nothing may stand behind a'
+}
+
 an_empty_page_is_told() {
     printf '0 0 NaN\n0 1 2\n\n1 0 3\n1 1 4\n' >holes.dat
     echo 'splot "holes.dat"' | ridgeline plot - -o a.svg 2>err
@@ -289,4 +319,4 @@ run_tests every_suffix_is_written a_scene_behind_the_eye_is_told data_that_is_no
     print_goes_to_stdout data_beside_the_scene_is_found inline_data an_error_shows_line_column_and_caret \
     bad_input_draws_nothing_and_says_2 a_known_but_ignored_option_is_warned_of_once bad_options_get_a_hint \
     what_is_not_the_inputs_fault_says_1 help_and_version pause_does_not_wait_without_a_terminal \
-    hidden_dem_runs_to_its_end data_blocks surfaces_over_different_points_hide_each_other errors_in_data_show_the_row an_empty_page_is_told what_cannot_be_printed_is_told no_progress_off_a_terminal
+    hidden_dem_runs_to_its_end data_blocks surfaces_over_different_points_hide_each_other errors_in_data_show_the_row autoscaled_ends_stay_within_bounds an_empty_page_is_told what_cannot_be_printed_is_told no_progress_off_a_terminal
