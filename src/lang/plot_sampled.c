@@ -87,9 +87,14 @@ static bool parameter_ends(const session_t *s, const session_source_t *src, int 
     }
     if (of_x) r = &s->plot.range[0];
 #if CONFIG_LOGSCALE
-    if (of_x && !src->sampling[k].given) log_axes_open_range(s, 0, end);
+    if (of_x) log_axes_open_range(s, 0, end);
 #endif
     apply(r, end);
+#if CONFIG_LOGSCALE
+    /* A range of its own is taken in equal steps also over a logarithmic axis, whose ends are logarithms. */
+    for (int i = 0; i < 2 && of_x && src->sampling[k].given && s->log_base[0].m; i++)
+        end[i] = num_double(func_pow(s->log_base[0], end[i]));
+#endif
     if (src->sampling[k].given) apply(&src->sampling[k].range, end);
     return of_x && !src->sampling[k].given;
 }

@@ -143,6 +143,7 @@ void show_wiring(const machine_t *m, text_t *t);
 
 /* show.c, help.c */
 int show_command(session_t *s, lexer_t *lx);
+void show_range(text_t *t, const char *name, const range_t *r); /* show_range.c */
 /* show_symbols.c, show_light.c, show_machine.c */
 void show_symbols(session_t *s, enum symbol_kind kind);
 void show_pens(text_t *t, const settings_t *set);

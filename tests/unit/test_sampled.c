@@ -40,6 +40,14 @@ static void a_file_of_one_parameter(void **state) {
                      0);
     near(f->x[1], 1); /* evenly on the paper */
     near(f->z[1], 10);
+    /* A range of its own is spread evenly, its open end being that of the axis. */
+    assert_int_equal(fixture_feed(f, "plot [1:1000] sample [*:501] '+' using 1:1"), 0);
+    near(f->z[0], 1);
+    near(f->z[1], 251);
+    near(f->z[2], 501);
+    assert_int_equal(fixture_feed(f, "plot sample [*:500.1] '+' using 1:1"), 0);
+    near(f->z[0], 0.1);
+    near(f->z[1], 250.1);
     assert_int_equal(fixture_feed(f, "set logscale x 2; plot '+' using 1:1"), 0);
     near(f->x[0], log2(0.1)); /* as functions */
     near(f->z[0], 0.1);
