@@ -177,7 +177,7 @@ static void wrong_data_name_their_line(void **state) {
         {"nonuniform matrix", "2 1 2\n? 3 4\n2 5 6\n", ERR_DATA, 2, 0, "x or y"},
         {"", "", ERR_EMPTY, 2, 7, "no data"},
         {"index 3", "0 0 1\n0 1 2\n\n1 0 1\n1 1 2\n", ERR_EMPTY, 2, 7, "no data"},
-        {"using 1:2:(nobody)", "0 0 1\n0 1 2\n\n1 0 1\n1 1 2\n", ERR_NAME, 2, 7, "nobody"},
+        {"using 1:2:(nobody)", "0 0 1\n0 1 2\n\n1 0 1\n1 1 2\n", ERR_NAME, 2, 22, "nobody"},
     };
     fixture_t *f = *state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
