@@ -75,11 +75,24 @@ static void hard_polygons(void **state) {
     assert_int_equal(run("translucent, polygons", 2000000000, cases_scaled(200), 3, clear_scene_polygons), 0);
 }
 
+/* An edge that touches what hides its face, which is of a translucent body. */
+static void once_wrong(void **state) {
+    (void)state;
+    uint64_t only;
+    solid_scene_t s;
+    clear_report_t r;
+    if (cases_only_seed(&only)) return;
+    clear_scene_random(&s, 1502977, 3);
+    assert_true(clear_scene_judge(&s, &r));
+    solid_scene_free(&s);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(few_objects),
         cmocka_unit_test(many_objects),
         cmocka_unit_test(hard_polygons),
+        cmocka_unit_test(once_wrong),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -257,6 +257,16 @@ static void of_random_scenes(void **state) {
     try_random("toned by windows", TONER, 0, cases_scaled(300));
 }
 
+/* A spike without a width beside a border; four edges along one line; a border along the side of a window. */
+static void once_wrong(void **state) {
+    (void)state;
+    uint64_t only;
+    if (cases_only_seed(&only)) return;
+    try_random("6187", TONER, 6187, 1);
+    try_random("17374", TONER, 17374, 1);
+    try_random("421", SORT, 421, 1);
+}
+
 static void of_random_scenes_sorted(void **state) {
     (void)state;
     try_random("sorted by windows", SORT, 1000000000, cases_scaled(200));
@@ -264,6 +274,6 @@ static void of_random_scenes_sorted(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(of_cubes), cmocka_unit_test(of_random_scenes),
-                                       cmocka_unit_test(of_random_scenes_sorted)};
+                                       cmocka_unit_test(of_random_scenes_sorted), cmocka_unit_test(once_wrong)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -53,9 +53,24 @@ static void close_convex(void **state) {
     assert_int_equal(run("close, convex", 4000000000, solid_scene_close, by_convex), 0);
 }
 
+/* Strips of a few units beside edges that fall together; an edge on the border of the paper; a silhouette's side a hair
+ * inside of a face's. */
+static void once_wrong_area(void **state) {
+    (void)state;
+    static const uint64_t seeds[] = {1000001108, 1000012805, 1000020269, 1000104049, 1000009524, 1000309990};
+    uint64_t only;
+    for (size_t k = 0; k < sizeof seeds / sizeof *seeds && !cases_only_seed(&only); k++) {
+        solid_scene_t s;
+        judge_report_t r = {0};
+        solid_scene_touching(&s, seeds[k], 5);
+        assert_int_equal(by_area_sort(NULL, &s, &r), SOLID_GOOD);
+        solid_scene_free(&s);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(touching_convex), cmocka_unit_test(close_convex),
-                                       cmocka_unit_test(touching_area), cmocka_unit_test(flush_convex),
-                                       cmocka_unit_test(flush_area)};
+                                       cmocka_unit_test(touching_area),   cmocka_unit_test(flush_convex),
+                                       cmocka_unit_test(flush_area),      cmocka_unit_test(once_wrong_area)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

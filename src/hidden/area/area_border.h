@@ -3,7 +3,10 @@
  * They come out of the clipper as borders of what a light does not reach of a visible polygon, so each is there once,
  * but for three things that this file takes care of: the cracks of a unit or so that rounding leaves between polygons
  * that were lit side by side, or along the edge of the face, whose two sides run against each other; and what is given
- * twice because a window of the screen subdivision was begun again. */
+ * twice because a window of the screen subdivision was begun again.
+ *
+ * Error: a shadow narrower than a hundredth of a step has no borders. Where one narrows to that, its borders end; that
+ * may be a sixteenth of a step elsewhere where a window cuts it there. */
 #ifndef AREA_BORDER_H
 #define AREA_BORDER_H
 
