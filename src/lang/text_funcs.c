@@ -33,7 +33,7 @@ const char *text_concat(lang_t *l, value_t *a, int n) {
     char left[VALUE_TEXT_MAX], right[VALUE_TEXT_MAX];
     const value_t u = shown(a[0], left), v = shown(a[1], right);
     (void)n;
-    char *room = texts_room(l->texts, (size_t)u.e + (size_t)v.e);
+    char *room = l->texts ? texts_room(l->texts, (size_t)u.e + (size_t)v.e) : NULL; /* numbers can be joined, too */
     if (!room) return NO_ROOM;
     memcpy(room, value_chars(u), (size_t)u.e);
     memcpy(room + u.e, value_chars(v), (size_t)v.e + 1);
