@@ -12,7 +12,7 @@
 #define PI_128_Q69 0xC90FDAA22168C234u /* pi / 128 ... */
 #define PI_128_Q69_NEXT 0xC4C6u        /* ... and its next 16 bits */
 #define INV_PI_128_Q25 1367130551      /* 128 / pi */
-#define SIN_CORE_OFF 4                 /* units of 2^-62 that the two are apart at most */
+#define SIN_CORE_OFF 4u                /* units of 2^-62 that the two are apart at most */
 
 /* sign(s) m 2^e with m in [2^62, 2^63) */
 typedef struct sin_core {

@@ -90,6 +90,17 @@ function table() {
   }
 }
 
+// What evaluating takes, of n^2 points; then the first of it is drawn.
+function expressions(n) {
+  console.log(`\nRP2040: other expressions, ${n}x${n}\n\n| expression | evaluate, cycles a point | line to first step, ms |\n|---|--:|--:|`);
+  for (const f of ['x*y', 'x**2-y**2', 'sin(x*y)', 'sqrt(x**2+y**2)', 'sin(5*sqrt(x**2+y**2))/sqrt(x**2+y**2)',
+    '3*(1-x)**2*exp(-x**2-(y+1)**2)-10*(x/5-x**3-y**5)*exp(-x**2-y**2)-1./3*exp(-(x+1)**2-y**2)']) {
+    FUNCTION.other = f;
+    const { cycles, ms } = pico('other', n, 'step', QUICK);
+    console.log(`| \`${f}\` | ${Math.round(cycles.measure / n ** 2).toLocaleString('en')} | ${(ms.step - ms.line).toFixed(1)} |`);
+  }
+}
+
 // Twelve edges a cube.
 function solids() {
   console.log('\nRP2040: k x k cubes, cycles per edge; hide: the convex kernel, or CUT and DRAW of haloed lines.\nWhere it is not sure that all fits, all of it was done once before, to try.\n');
@@ -157,6 +168,7 @@ if (process.argv[3] === 'large') {
 }
 
 table();
+expressions(60);
 solids();
 counted();
 const r = pico('smooth', 60, 'quit', '', '+230000000 type memory\\r\n+230300000 quit');

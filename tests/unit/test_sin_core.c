@@ -44,7 +44,7 @@ static void doubles_are_those_of_the_functions(void **state) {
             fail_msg("%lld * 2^%d, quarter %u", (long long)a.m, (int)a.e, (unsigned)quarter);
     }
     print_message("# %d angles: sure of %d, at most %lld units of 2^-62 apart (%d are allowed for)\n", ANGLES, sure,
-                  (long long)most, SIN_CORE_OFF);
+                  (long long)most, (int)SIN_CORE_OFF);
     assert_true(most <= SIN_CORE_OFF && sure > ANGLES * 3 / 4);
 }
 
