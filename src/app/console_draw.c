@@ -43,7 +43,7 @@ static size_t measure_profiles(console_t *c, const plot_t *plot, void *memory, p
         more = (peak - found->peak_upper - found->peak_lower) * (all - fit) / (fit - *samples);
     }
     *samples = all;
-    return horizon_bytes((int32_t)(peak + more));
+    return horizon_bytes((int32_t)(peak + more)) + picture_rest(&c->picture);
 }
 
 /* After a trial that did not get through. */
@@ -63,7 +63,7 @@ static int too_large(console_t *c, const plot_t *plot, void *memory, picture_hoo
         }
         const size_t solids =
             plot->kind == PLOT_SOLIDS ? stats->map_bytes : 0; /* of surfaces they can be done without */
-        needs = stats->kernel_bytes + solids + PATH_BYTES_MIN;
+        needs = stats->kernel_bytes + solids + picture_rest(&c->picture);
     } else {
         say("it");
         needs = hidden == HIDDEN_HORIZON && plot->kind == PLOT_SURFACES ? measure_profiles(c, plot, memory, hooks)
@@ -143,7 +143,10 @@ static int draw(console_t *c, const plot_t *plot) {
     pen_sink_t pen = carriage_pen(&c->carriage);
     c->realtime.picture = &c->picture;
     err = picture_draw(&c->picture, plot, memory, c->picture_bytes, &pen, &hooks);
-    if (err == ERR_FULL && c->picture.stats.path.strokes == 0) too_large(c, plot, memory, &hooks);
+    if (err == ERR_FULL && c->picture.path.stats.strokes > 0)
+        say("The memory ran out: a part was drawn.\n");
+    else if (err == ERR_FULL)
+        too_large(c, plot, memory, &hooks);
     err = carriage_end(&c->carriage, err, &c->stats);
     c->realtime.picture = NULL;
     return err;

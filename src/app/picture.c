@@ -6,6 +6,7 @@
 #include "error.h"
 #include "hidden/surface/horizon.h"
 #include "hidden/surface/perimeter.h"
+#include "num/ints.h"
 #include "view/autoscale.h"
 #include <string.h>
 
@@ -23,23 +24,37 @@ static size_t kernel_part(size_t arena_bytes) {
     return arena_bytes < SMALL_ARENA ? 2 : 4;
 }
 
+/* Vertices of horizons for each line of a grid: 3 for smooth surfaces (measured: 2.2), 10 for random ones (5.6 at
+ * 60 x 60, 7.7 at 250 x 250). */
+enum { EACH_SMOOTH = 3, EACH_ROUGH = 10 };
+
+/* Both horizons' vertices for a point of a profile: 17 for 60 random profiles, 25 for 150, 38 for 400, 56 for 1000
+ * (measured). Of a terrain it is only known that a profile has no more points than there are corners. */
+static size_t profiles_bytes(const plot_t *plot, int32_t each) {
+    const settings_t *s = plot->settings;
+    const int32_t points = plot->kind == PLOT_SOLIDS ? plot->item[0].mesh.corners : s->samples[0];
+    if (each > EACH_SMOOTH) each += 2 * (int32_t)ints_sqrt_u64((uint64_t)s->isosamples[1]);
+    return horizon_bytes(each * points);
+}
+
+/* Where memory is small a scene of solids is, too, and is hidden on trial soon enough. */
+#define TRY_IT (SIZE_MAX / 2)
+
 /* What hiding needs with so many vertices of horizons for each line of the grid or point of a profile; 0: nothing that
  * depends on the scene. Holes, which are not known beforehand, or several surfaces take three times as much a vertex.
  */
 static size_t hiding_bytes(const plot_t *plot, int32_t each, bool holes) {
     const settings_t *s = plot->settings;
     if ((!CONFIG_SOLIDS && plot->kind == PLOT_SOLIDS) || (!CONFIG_HALO && s->hidden == HIDDEN_HALO)) return 0;
+    if (CONFIG_WAITING > 0 && (picture_wants_solids(plot) || s->hidden == HIDDEN_HALO)) return TRY_IT;
     if (picture_wants_solids(plot)) return picture_solids_bytes(plot);
     if (plot->kind == PLOT_CURVES || s->hidden == HIDDEN_NONE) return 0;
-    if (s->hidden == HIDDEN_HORIZON) return horizon_bytes(each * s->samples[0]);
+    if (s->hidden == HIDDEN_HORIZON) return profiles_bytes(plot, each);
     if (s->hidden == HIDDEN_HALO) return picture_halo_bytes(plot, each);
     const surface_t *f = &plot->item[0].surface;
     size_t one = perimeter_bytes(f->nx, each * (f->nx + f->ny) * (holes || plot->n > 1 ? 3 : 1));
     return one * (size_t)plot->n;
 }
-
-/* 3 for smooth surfaces (measured: 2.2), 10 for random ones (5.6 at 60 x 60, 7.7 at 250 x 250). */
-enum { EACH_SMOOTH = 3, EACH_ROUGH = 10 };
 
 static bool is_grid(const plot_t *plot) {
     const enum hidden_mode hidden = plot->settings->hidden;
@@ -47,9 +62,17 @@ static bool is_grid(const plot_t *plot) {
            hidden != HIDDEN_HORIZON && hidden != HIDDEN_HALO;
 }
 
+size_t picture_rest(const picture_t *p) {
+    return PATH_BYTES_MIN + 32 + (p->hooks ? WAITING_BYTES(p->hooks->waiting) + 16 : 0);
+}
+
+size_t picture_spare(const picture_t *p, size_t share) {
+    const size_t left = arena_left(&p->arena), rest = picture_rest(p), spare = left > rest ? left - rest : 0;
+    return spare < left / share ? spare : left / share;
+}
+
 void *picture_kernel_memory(picture_t *p, size_t *bytes) {
-    size_t left = arena_left(&p->arena), least = PATH_BYTES_MIN + 32;
-    if (p->hooks) least += WAITING_BYTES(p->hooks->waiting) + 16;
+    const size_t left = arena_left(&p->arena), least = picture_rest(p);
     enum picture_share share = p->hooks ? p->hooks->share : PICTURE_SHARE_USUAL;
     *bytes = left / kernel_part(p->arena.bytes);
     if (p->arena.bytes >=
@@ -289,11 +312,11 @@ bool picture_is_safe_whole(const plot_t *plot, size_t bytes) {
 size_t picture_needs(const picture_t *p) {
     const plot_t *plot = p->plot;
     const enum hidden_mode hidden = plot->settings->hidden;
-    const size_t rest = PATH_BYTES_MIN + 32 + (p->pauses ? WAITING_BYTES(p->hooks->waiting) + 16 : 0);
+    const size_t rest = picture_rest(p);
     const bool boxes = CONFIG_SOLIDS && plot->kind == PLOT_SOLIDS && hidden != HIDDEN_HORIZON &&
                        (CONFIG_AREA || hidden != HIDDEN_AREA);
     if (p->stats.hidden.needs) return p->stats.hidden.needs + rest;
-    if (boxes) return picture_solids_needs(p) + rest;
+    if (boxes) return picture_solids_needs(p);
     return hiding_bytes(plot, EACH_ROUGH, false) + rest;
 }
 

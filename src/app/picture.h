@@ -121,6 +121,8 @@ typedef struct picture {
         struct {
             solid_t solid;
             solid_map_t solid_map;
+            bool found_same; /* what coincides is known, and takes: */
+            size_t same_bytes;
 #if CONFIG_AREA
             area_stats_t area; /* of `set hidden3d area` */
             hatch_t hatch;     /* lines[LINE_HATCH] */
@@ -155,6 +157,8 @@ bool picture_is_safe_whole(const plot_t *plot, size_t bytes);
 int picture_measure(picture_t *p, const plot_t *plot, void *mem, size_t bytes, picture_hooks_t *hooks);
 /* About how large a block it would have needed, after picture_try has returned ERR_FULL. */
 size_t picture_needs(const picture_t *p);
+/* What ordering takes at the least, beside hiding. */
+size_t picture_rest(const picture_t *p);
 /* How much is drawn and how much there will be, as far as it can be told: exact once all is hidden. For picture_draw's
  * hooks and pen sink. */
 typedef struct picture_progress {

@@ -28,7 +28,7 @@ static void lend(picture_t *p, bool give) {
     const plot_item_t *item = &p->plot->item[0];
     if (p->plot->kind == PLOT_SOLIDS || !item->anywhere) return;
     void *mem = give ? p->arena.base + p->arena.used + arena_gap(&p->arena) : NULL;
-    size_t used = item->anywhere->lend(item->surface.ctx, mem, arena_left(&p->arena) / 8);
+    size_t used = item->anywhere->lend(item->surface.ctx, mem, picture_spare(p, 8));
     if (used) arena_take(&p->arena, used);
     p->stats.map_bytes += used;
 }
@@ -68,7 +68,7 @@ static int cut_terrain(picture_t *p) {
 
 /* Keeps all points if that takes at most half of what is left. */
 static void cache_points(picture_t *p) {
-    size_t bytes = arena_left(&p->arena) / 2;
+    size_t bytes = picture_spare(p, 2);
     arena_t before = p->arena;
     void *mem = arena_take(&p->arena, bytes);
     size_t used = mem ? profiles_cache_fill(&p->profiles_cache, &p->profiles, mem, bytes) : 0;

@@ -2,8 +2,9 @@
 #include "app/picture_stages.h"
 
 #include "error.h"
+#include "hidden/area/area_face.h"
 #include "hidden/area/area_tone.h"
-#include "hidden/halo/halo.h"
+#include "hidden/halo/halo_ink.h"
 #include "hidden/solid/convex.h"
 #include "hidden/solid/once.h"
 #include "hidden/solid/seams.h"
@@ -93,33 +94,50 @@ static size_t lone_faces(const picture_t *p, const mesh_t *sum) {
 }
 
 /* The area sort's: with shadows there are the lit polygons, the view from a light and a part for their borders. */
-static size_t area_needs(const plot_t *plot, const mesh_t *sum) {
+static size_t area_needs(const picture_t *p, const mesh_t *sum) {
 #if CONFIG_AREA
-    const settings_t *set = plot->settings;
+    const settings_t *set = p->plot->settings;
     light_t light[LIGHTS_MAX];
-    if (!set->shadow) return area_least_bytes(sum->faces, sum->corners, 0);
-    return area_least_bytes(sum->faces, sum->corners, picture_lights(set, light)) + SOLID_MAP_BYTES(sum->nv);
+    const int64_t seen = p->stats.map_bytes > 0 ? area_faces_most(&p->solid_map) : sum->faces / 2;
+    const int32_t corners = (int32_t)(sum->corners * seen / (sum->faces + 1));
+    if (!set->shadow) return area_least_bytes((int32_t)seen, corners, 0);
+    return area_least_bytes((int32_t)seen, corners, picture_lights(set, light)) + SOLID_MAP_BYTES(sum->nv);
 #else
-    (void)plot, (void)sum;
+    (void)p, (void)sum;
     return 0;
 #endif
 }
 
-/* Edges have two faces each, of which half look at the eye; with haloes, a crossing for two edges. */
+/* Hiding: of faces half look at the eye, and of a convex body half of the edges are outlines or fewer. */
+static size_t hiding_needs(const picture_t *p, const mesh_t *sum, size_t edges, size_t objects) {
+    const enum hidden_mode hidden = p->plot->settings->hidden;
+    const size_t faces = (size_t)sum->faces, corners = (size_t)sum->corners;
+    if (hidden == HIDDEN_NONE) return 0;
+    if (CONFIG_HALO && hidden == HIDDEN_HALO) return halo_ink_needs((int32_t)edges, (int32_t)edges - sum->corners / 2);
+    if (CONFIG_AREA && hidden == HIDDEN_AREA) return area_needs(p, sum);
+    const size_t lone = lone_faces(p, sum) / 2, wholes = lone == 0 ? objects : 0;
+    return faces + 5 * objects + 48 * (lone + wholes) + 12 * faces + 4 * corners + 16 * 8;
+}
+
 size_t picture_solids_needs(const picture_t *p) {
     const plot_t *plot = p->plot;
+    const solid_t *s = &p->solid;
     meshes_t m;
     list_meshes(plot, &m);
     const mesh_t sum = sum_of(plot, &m);
-    const size_t nv = (size_t)sum.nv, faces = (size_t)sum.faces, corners = (size_t)sum.corners;
-    const size_t edges = corners / 2 + (size_t)sum.segments;
-    const size_t kept = nv * sizeof(solid_vertex_t) + corners * sizeof(int32_t) +
-                        faces * (sizeof(solid_face_t) + sizeof(solid_object_t)) + edges * sizeof(solid_edge_t);
-    const size_t hiding = CONFIG_AREA && plot->settings->hidden == HIDDEN_AREA ? area_needs(plot, &sum)
-                          : plot->settings->hidden == HIDDEN_HALO
-                              ? edges * (HALO_BYTES_PER_EDGE_LEAST + HALO_BYTES_PER_CROSSING / 2)
-                              : 60 * faces + 8 * corners + 80 * lone_faces(p, &sum);
-    return kept + surfaces_bytes(plot) + SOLID_MAP_BYTES(sum.nv) + hiding;
+    const bool built = p->stats.map_bytes > 0;
+    const size_t edges = built ? (size_t)s->ne : (size_t)(sum.corners / 2 + sum.segments);
+    const size_t objects = built ? (size_t)s->no : (size_t)sum.faces / 6 + 1;
+    const size_t building = solid_bytes_least(m.list, plot->n) + surfaces_bytes(plot);
+    const size_t kept = built ? p->stats.map_bytes
+                              : (size_t)sum.nv * sizeof(solid_vertex_t) + (size_t)sum.corners * sizeof(int32_t) +
+                                    (size_t)sum.faces * sizeof(solid_face_t) + objects * sizeof(solid_object_t) +
+                                    edges * sizeof(solid_edge_t) + SOLID_MAP_BYTES(sum.nv);
+    /* Of what coincides some stays. */
+    const size_t once = ONCE_BYTES_LEAST(edges, sum.nv), same = p->found_same ? p->same_bytes : 4 * (size_t)sum.corners,
+                 hiding = same + hiding_needs(p, &sum, edges, objects) + PATH_BYTES_MIN + 32;
+    const size_t then = kept + (once > hiding ? once : hiding);
+    return building > then ? building : then;
 }
 
 size_t picture_solids_bytes(const plot_t *plot) {
@@ -328,6 +346,21 @@ static int find_what_coincides(picture_t *p, once_t *once) {
     return err;
 }
 
+static int drop(void *ctx, const ink_piece_t *piece) {
+    (void)ctx, (void)piece;
+    return 0;
+}
+
+/* In what is left of the memory, of a scene that does not fit; for picture_solids_needs. */
+static void count_crossings(picture_t *p) {
+    size_t bytes = arena_left(&p->arena);
+    bytes = bytes > 16 ? bytes - 16 : 0;
+    const ink_sink_t sink = {p, drop};
+    const hidden_job_t job = {arena_take(&p->arena, bytes), bytes, &sink, hide_tick, p, 0, NULL};
+    picture_halo_solids(p, &job);
+    p->stats.kernel_bytes = p->stats.hidden.bytes;
+}
+
 int picture_solids(picture_t *p, const pen_sink_t *pen) {
     int err = build(p);
     if (err) return err;
@@ -337,7 +370,12 @@ int picture_solids(picture_t *p, const pen_sink_t *pen) {
 #endif
     once_t once;
     err = find_what_coincides(p, &once);
+    if (CONFIG_HALO && CONFIG_MANY_BODIES && err == ERR_FULL && p->plot->settings->hidden == HIDDEN_HALO)
+        count_crossings(p);
     if (err) return err;
+    p->same_bytes = once.bytes;
+    p->found_same = true;
+
     size_t bytes = 0;
     void *mem = picture_kernel_memory(p, &bytes);
     err = picture_open(p, pen, 1, 4 * (int64_t)p->solid.ne + hatch_runs(p));

@@ -57,6 +57,8 @@ void picture_tell(picture_t *p, enum picture_stage stage, int32_t done, int32_t 
 void picture_hidden(picture_t *p, int32_t done, int32_t of, int32_t facets);
 /* The kernel's share of the arena: half of a small one, a quarter of a large one. */
 void *picture_kernel_memory(picture_t *p, size_t *bytes);
+/* A share of what is left of the arena for what only saves time, without what ordering asks for at least. */
+size_t picture_spare(const picture_t *p, size_t share);
 /* For the job of a kernel that pauses; to be called before picture_open. NULL if it need not. */
 const hidden_pause_t *picture_pause(picture_t *p);
 /* The strips of a surface, to save memory, or NULL. */

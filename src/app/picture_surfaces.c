@@ -25,7 +25,7 @@ static int64_t points_of(const surface_t *s) {
 /* Memory that makes the heights of s cheaper, if it takes an eighth of what is left at the most. */
 static void lend(picture_t *p, const surface_t *s) {
     if (!s->lend) return;
-    size_t most = arena_left(&p->arena) / 8;
+    size_t most = picture_spare(p, 8);
     void *mem = p->arena.base + p->arena.used + arena_gap(&p->arena);
     size_t used = s->lend(s->ctx, mem, most);
     if (used) arena_take(&p->arena, used);
@@ -46,7 +46,7 @@ static int add_surface(picture_t *p, const surface_t *s) {
     const range_t *z = &p->plot->settings->z;
     grid_t *g = &p->grid[p->spaces];
     size_t size = (size_t)points_of(s) * sizeof(int32_t);
-    int32_t *cache = size <= arena_left(&p->arena) / 2 ? arena_take(&p->arena, size) : NULL;
+    int32_t *cache = size <= picture_spare(p, 2) ? arena_take(&p->arena, size) : NULL;
     if (cache) p->stats.cache_bytes += size;
     lend(p, s);
     const bool known = p->hooks && p->hooks->measured && p->spaces == 0 && g->src == s && g->cache == cache;
@@ -101,7 +101,7 @@ static int map_surfaces(picture_t *p) {
     for (int32_t k = 0; k < p->spaces; k++) {
         grid_t *g = &p->grid[k];
         size_t size = PAGE_MAP_BYTES(g->nx, g->ny);
-        void *table = size <= arena_left(&p->arena) / 4 ? arena_take(&p->arena, size) : NULL;
+        void *table = size <= picture_spare(p, 4) ? arena_take(&p->arena, size) : NULL;
         if (table) p->stats.map_bytes += size;
         int err = page_map_setup(&p->map[k], g, &p->camera, table);
         if (err) return err;

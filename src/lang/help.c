@@ -169,11 +169,17 @@ static const struct {
      "set machine [steps A[,B]] [speed V] [travel V] [accel A] [junction D] [lift S] [lower S] [enable S]\n"
      "            [pulse US] [setup US] [swap|noswap] [corexy|cartesian] [size W,H|none]\n"
      "            [limits on|homing|off] [home left|right|bottom|top,..] [pulloff D] [invert LIST|none]\n"
+#if CONFIG_PEN_SERVO
      "            [pen level | pen servo [UP,DOWN[,S]] | pen solenoid [S[,HOLD]]]\n"
+#else
+     "            [pen level | pen solenoid [S[,HOLD]]]\n"
+#endif
      "steps per mm of both motors; mm/s with the pen down (speed) and up (travel); mm/s^2; junction: mm a corner may\n"
      "be cut by for speed; seconds to lift and lower the pen; pulse width and DIR set-up in microseconds.\n"
-     "invert: directions x y xy, levels of step enable pen limits estop start. servo: pulse widths in us, s for the "
-     "way;\n"
+     "invert: directions x y xy, levels of step enable pen limits estop start.\n"
+#if CONFIG_PEN_SERVO
+     "servo: pulse widths in us, s for the way.\n"
+#endif
      "solenoid: s of full power, then percent. Limits stop the machine, serve homing only, or are off.\n"},
     {"du$mmy", "set dummy U,V: the variables of expressions in plots are called U and V.\n"},
     {"dataf$ile", "set datafile separator whitespace|comma|tab|'c'. At first both blanks and commas separate.\n"},

@@ -93,7 +93,8 @@ int set_machine_pen(session_t *s, lexer_t *lx, machine_t *m) {
     lexer_t at = *lx;
     uint32_t kind = take_word(lx, PENS) >> 1;
     if (kind == 0 && !lexer_is_name(&at, "level"))
-        return lexer_unexpected(&at, &s->error, "level, servo or solenoid expected");
+        return lexer_unexpected(&at, &s->error,
+                                CONFIG_PEN_SERVO ? "level, servo or solenoid expected" : "level or solenoid expected");
     m->wiring.pen = (uint8_t)kind;
     if (kind == HAL_PEN_LEVEL) return 0;
     if (kind == HAL_PEN_SOLENOID) return solenoid(s, lx, &m->wiring);

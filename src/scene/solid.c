@@ -48,6 +48,14 @@ static uint32_t slots_for(int32_t n) {
     return slots;
 }
 
+/* Edges there is room for beside a table of so many slots, which finds them. */
+static int32_t edges_room(size_t left, uint32_t slots, int64_t edges) {
+    const size_t table = slots * sizeof(int32_t), found = slots / 8 * 7;
+    size_t room = left > table ? (left - table) / sizeof(solid_edge_t) : 0;
+    if (room > found) room = found;
+    return room < (size_t)edges ? (int32_t)room : (int32_t)edges;
+}
+
 size_t solid_bytes(const mesh_t *const *mesh, int32_t n) {
     totals_t t = total(mesh, n);
     size_t edges = (size_t)t.corners + (size_t)t.segments, details = (size_t)t.details;
@@ -55,6 +63,20 @@ size_t solid_bytes(const mesh_t *const *mesh, int32_t n) {
     return (size_t)t.vertices * sizeof(solid_vertex_t) + (edges + 2 * details) * sizeof(solid_edge_t) +
            (size_t)t.faces * (sizeof(solid_face_t) + sizeof(solid_object_t) + 8) + (size_t)t.corners * 12 +
            (size_t)t.vertices_most * 4 + slots * 4 + 16 * 8;
+}
+
+static size_t whole(int64_t n, size_t size) { /* as take() does */
+    return ((size_t)n * size + 7) & ~(size_t)7;
+}
+
+size_t solid_bytes_least(const mesh_t *const *mesh, int32_t n) {
+    const totals_t t = total(mesh, n);
+    const int32_t edges = t.corners / 2 + t.segments + t.details;
+    uint32_t slots = slots_for(t.vertices);
+    while (slots / 8 * 7 < (uint32_t)edges) slots *= 2;
+    return whole(t.vertices, sizeof(solid_vertex_t)) + 3 * whole(t.corners, 4) + whole(t.faces, sizeof(solid_face_t)) +
+           whole(t.faces, sizeof(solid_object_t)) + 2 * whole(t.faces, 4) + whole(t.vertices_most, 4) +
+           whole(t.details, sizeof(solid_edge_t)) + slots * 4 + (size_t)edges * sizeof(solid_edge_t);
 }
 
 /* Packed numbers as integers in the same order: the bits of a negative one count down. */
@@ -276,14 +298,12 @@ int solid_build(solid_t *s, const mesh_t *const *mesh, int32_t n, void *mem, siz
      * room for. */
     const size_t left = (size_t)(m.high - m.low);
     b.slots = slots_for(t.vertices > edges ? t.vertices : (int32_t)edges);
-    while (b.slots > slots_for(t.vertices) && b.slots * sizeof *b.slot + (size_t)edges * sizeof *b.edge > left)
+    while (b.slots > slots_for(t.vertices) && edges_room(left, b.slots / 2, edges) > edges_room(left, b.slots, edges))
         b.slots /= 2;
     b.slot = take(&m, b.slots, sizeof *b.slot, false);
     if (m.full) return ERR_FULL;
-    const size_t room = (size_t)(m.high - m.low) / sizeof *b.edge;
     b.edge = (solid_edge_t *)(void *)m.low;
-    b.edges_max = room < (size_t)edges ? (int32_t)room : (int32_t)edges;
-    if (b.edges_max > (int32_t)(b.slots / 8 * 7)) b.edges_max = (int32_t)(b.slots / 8 * 7);
+    b.edges_max = edges_room(left, b.slots, edges);
     s->vertex = b.vertex;
     s->corner = b.corner;
     s->face = b.face;

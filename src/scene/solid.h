@@ -88,6 +88,8 @@ static inline bool solid_is_cut(const solid_t *s, const solid_edge_t *e) {
 
 /* Memory that certainly suffices for these meshes while they are put together. */
 size_t solid_bytes(const mesh_t *const *mesh, int32_t n);
+/* What solid_build gets through with at the least, if every edge has two faces. */
+size_t solid_bytes_least(const mesh_t *const *mesh, int32_t n);
 /* Puts n meshes together in mem (aligned to 8), which lives as long as s; s->bytes of it are used afterwards. The
  * meshes are not needed any more then. Faces without an area and segments without a length are left out. Returns 0;
  * ERR_EMPTY if nothing is left; ERR_FULL; ERR_VALUE for coordinates beyond any use, and for

@@ -14,6 +14,16 @@ $(EMUDIR)/sim-$1: $(patsubst %.c,$(EMUDIR)/obj-$1/%.o,firmware/main.c tests/emu/
 	$$(Q)$(CC) $(EMU_ABI) $$^ -o $$@
 endef
 $(foreach b,$(BOARDS),$(eval $(call sim_board,$b)))
+# What boards say that scenes would need (tests/emu/needs.c).
+define needs_board
+$(EMUDIR)/obj-$1/tests/emu/needs.o: CPPFLAGS += -DNAME=\"$1\"
+$(EMUDIR)/needs-$1: $(patsubst %.c,$(EMUDIR)/obj-$1/%.o,tests/emu/needs.c $(CORE_SRC) $(SIM_SRC))
+	$$(call say,LD,$$@)
+	$$(Q)$(CC) $(EMU_ABI) $$^ -lm -o $$@
+endef
+$(foreach b,$(BOARDS),$(eval $(call needs_board,$b)))
+BOARD_NEEDS += $(EMUDIR)/needs-nrf51 $(EMUDIR)/needs-lm3s6965
+
 $(EMUDIR)/scope.so: $(wildcard tests/emu/scope*.c) $(wildcard tests/emu/*.h)
 	@mkdir -p $(@D)
 	$(Q)$(CC) -shared -fPIC -O2 -Wall -Wextra -o $@ $(filter %.c,$^)

@@ -87,10 +87,10 @@ size_t area_bytes(int32_t faces, int32_t corners) {
     return (size_t)faces * each + (size_t)corners * (sizeof(poly_vertex_t) * 4 + 4) + 3 * CLIP_BYTES(400);
 }
 
-/* As measured on up to 12 x 12 cubes on a ground: within a tenth from 100 polygons on. */
+/* As measured on 9 x 9 to 12 x 12 cubes and tori of 500 to 1600 triangles (tests/emu/needs.c): within a hundredth, with
+ * a light within a fifth. */
 size_t area_least_bytes(int32_t faces, int32_t corners, int32_t lights) {
-    const size_t each = sizeof(area_face_t) + 4 + 1 + 72 + 36 * (size_t)lights;
-    return (size_t)faces * each + (size_t)corners * sizeof(poly_vertex_t) + 2048 + 8192 * (size_t)lights;
+    return (size_t)corners * 103 + (size_t)faces * 200 * (size_t)lights;
 }
 
 size_t area_fixed_bytes(const solid_map_t *m) {

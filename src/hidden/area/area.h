@@ -69,7 +69,8 @@ typedef struct area_sink {
 
 /* Memory for a scene of so many faces with so many corners: in one window unless it is cut up very much. */
 size_t area_bytes(int32_t faces, int32_t corners);
-/* About the least that it gets through with, in windows; with shadows of so many lights, or 0. */
+/* About the least that it gets through with, in windows, if so many faces with so many corners may be seen; with
+ * shadows of so many lights, or 0. */
 size_t area_least_bytes(int32_t faces, int32_t corners, int32_t lights);
 /* Of that, what is there for every face from the start to the end. */
 size_t area_fixed_bytes(const solid_map_t *m);

@@ -116,6 +116,54 @@ static void find_nearest(halo_ink_t *d) {
     }
 }
 
+static size_t bytes_for(int64_t edges, int64_t crossings) {
+    return (size_t)(HALO_BYTES_PER_EDGE_LEAST * edges + HALO_BYTES_PER_CROSSING * crossings) + HIDDEN_LENT(halo_ink_t) +
+           HIDDEN_LENT(halo_t);
+}
+
+size_t halo_ink_needs(int32_t edges, int32_t loose) {
+    const int64_t of_faces = edges - loose;
+    return bytes_for(edges, loose / 2 + of_faces * (int64_t)ints_sqrt_u64((uint64_t)of_faces) / 5);
+}
+
+/* Edges are dealt into heaps; those of one go to h, as long as there is room. Returns how many there are, *err tells
+ * whether there was. */
+static int32_t add_heap(halo_ink_t *d, halo_t *h, const hidden_job_t *rest, int32_t heap, int32_t heaps, uint32_t deal,
+                        int *err) {
+    int32_t n = 0;
+    *err = 0;
+    halo_init(h, rest->mem, rest->bytes);
+    for (int32_t e = 0; e < d->source->edges; e++) {
+        if (e % 256 == 0) tell(d->job, 0, 1);
+        if ((int32_t)(((uint32_t)e * deal >> 16) * (uint32_t)heaps >> 16) != heap || !see(d, e, &d->view)) continue;
+        n++;
+        if (*err == 0) *err = halo_add(h, e, point_of(d, &d->view, 0), point_of(d, &d->view, 1));
+    }
+    return n;
+}
+
+#define DEALS 4
+#define HEAPS_MOST 4096
+
+/* Edges there is no room for: how often they cross, about. They are dealt at random into heaps that there is room for,
+ * and those of each heap cross as often as their share of all pairs. */
+static int64_t guess_crossings(halo_ink_t *d, halo_t *h, const hidden_job_t *rest) {
+    const size_t each = rest->bytes / HALO_BYTES_PER_EDGE + 1;
+    const int32_t heaps = (int32_t)((size_t)d->stats->edges / each) + 2;
+    int64_t sum = 0;
+    int32_t counted = 0;
+    if (heaps > HEAPS_MOST) return d->stats->edges;
+    for (int32_t k = 0; k < DEALS * heaps; k++) {
+        int err;
+        add_heap(d, h, rest, k % heaps, heaps, 0x9e3779b1u + (uint32_t)(k / heaps) * 0x7feb352cu, &err);
+        if (err == 0) halo_cut(h, 0);
+        if (err != 0 || h->crossings < 0) continue;
+        sum += h->crossings;
+        counted++;
+    }
+    return counted == 0 ? d->stats->edges : sum * heaps / counted * heaps;
+}
+
 /* All but drawing, apart from it for the stack. */
 static __attribute__((noinline)) int find_crossings(halo_ink_t *d, halo_t *h, int32_t width, bool ends,
                                                     const hidden_job_t *rest) {
@@ -124,33 +172,24 @@ static __attribute__((noinline)) int find_crossings(halo_ink_t *d, halo_t *h, in
     hidden_stats_t *stats = d->stats;
     const page_window_t *w = source->lines[0].window;
     d->window = (page_window_t){w->x0_lat - width, w->y0_lat - width, w->x1_lat + width, w->y1_lat + width};
-    view_t *v = &d->view;
     d->frac_bits = INT32_MAX;
     for (int32_t k = 0; k < source->surfaces; k++) {
         if (source->lines[k].frac_bits < d->frac_bits) d->frac_bits = source->lines[k].frac_bits;
     }
     if (is_perspective(d)) find_nearest(d);
-    halo_init(h, rest->mem, rest->bytes);
+    int err;
+    stats->edges = add_heap(d, h, rest, 0, 1, 0, &err);
     h->contact = CONTACT;
     h->tick = job->tick;
     h->tick_ctx = job->tick_ctx;
-    int err = 0;
-    for (int32_t e = 0; e < source->edges; e++) {
-        if (e % 256 == 0) tell(job, 0, 1);
-        if (!see(d, e, v)) continue;
-        stats->edges++;
-        if (err == 0) err = halo_add(h, e, point_of(d, v, 0), point_of(d, v, 1));
-    }
     if (err == 0) err = halo_cut(h, ends ? width : 0);
     stats->tests = h->tests;
     stats->crossings = err == 0 || h->crossings > 0 ? h->crossings : 0;
     stats->bytes = h->used;
-    if (err != 0 && h->crossings <= 0) { /* it came to the edges, or to their grid */
-        /* As many as there are usually: of a grid, whose back shows through, five for two edges. */
-        const size_t crossings = (size_t)stats->edges * (v->ink.family == INK_SEGMENT ? 1 : 5) / 2;
-        stats->bytes = HALO_BYTES_PER_EDGE_LEAST * (size_t)stats->edges + HALO_BYTES_PER_CROSSING * crossings;
-    }
-    stats->bytes += HIDDEN_LENT(halo_ink_t) + HIDDEN_LENT(halo_t);
+    if (err != 0 && h->crossings <= 0) /* it came to the edges, or to their grid */
+        stats->bytes = bytes_for(stats->edges, guess_crossings(d, h, rest));
+    else
+        stats->bytes += HIDDEN_LENT(halo_ink_t) + HIDDEN_LENT(halo_t);
     d->edge = -1;
     return err;
 }

@@ -46,6 +46,9 @@ typedef struct once {
 /* Bytes that suffice for so many edges, but for views in which nearly all of them coincide or leave the page. */
 #define ONCE_BYTES(edges) ((size_t)(edges)*48 + 512)
 
+/* What once_build gets through with at the least, where nothing leaves the page. */
+#define ONCE_BYTES_LEAST(edges, vertices) ((size_t)(edges)*20 + (size_t)(vertices) * (sizeof(page_point_t) + 8) + 32)
+
 /* Finds out what coincides, in mem (aligned to 8), which lives as long as o. away: will the kernel draw edges of bodies
  * between faces turned from the eye? If not, they are not looked at, which saves a sixth of the time (and if it draws
  * one after all, that passes through). Returns 0 or ERR_FULL. */

@@ -164,13 +164,18 @@ int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_
     e->cover = cover;
     if (windows) {
         count /= 2;
-        int err = windows_init(&e->windows, e->chart.grid->nx, pool + count, count * sizeof *pool);
+        int err = windows_init(&e->windows, e->chart.grid->nx, pool, count * sizeof *pool);
         if (err != 0) return err;
+        pool += count;
     }
     int bits = windows || !CONFIG_LOWEST ? -1 : lowest_bits(e->chart.grid->nx, count);
     size_t lent = bits < 0 ? 0 : LOWEST_VERTICES(bits);
     int err = horizons_init(&e->horizons, upper, lower, pool + lent, count - lent,
                             cover == COVER_STRIP ? take_in_strip : edges_take_part, e);
+    if (windows) {
+        envelope_lend(&e->horizons.upper, &e->windows.spare);
+        e->windows.above = &e->horizons.upper;
+    }
     if (lent) horizons_lend(&e->horizons, (int16_t *)(void *)pool, bits);
     return err;
 }

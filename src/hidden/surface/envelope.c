@@ -32,6 +32,7 @@ int envelope_init(envelope_t *upper, envelope_t *lower, pencil_t *pool, size_t c
         h->l = h->base + 1;
         h->r = h->end - 1;
         h->peer = both[1 - k];
+        h->spare = NULL;
         h->peak = 2;
     }
     return 0;
@@ -72,12 +73,31 @@ void envelope_leap(envelope_t *h, int32_t a) {
     }
 }
 
+static void move_base(envelope_t *upper, ptrdiff_t by) {
+    move_block(upper->base, upper->l, by);
+    upper->base += by;
+    upper->l += by;
+    upper->spare->to = (uint8_t *)upper->base;
+}
+
+/* Half of what is spare for the upper horizon, or enough. */
+static bool take_spare(envelope_t *upper, ptrdiff_t enough) {
+    if (upper->spare == NULL) return false;
+    const ptrdiff_t all = (upper->spare->to - upper->spare->from) / (ptrdiff_t)sizeof(pencil_t);
+    if (all < enough) return false;
+    move_base(upper, all / 2 > enough ? -(all / 2) : -enough);
+    return true;
+}
+
 /* Makes room for `need` vertices in h's gap, from its peer's. Only pointers of the two horizons move. */
 static int grow(envelope_t *h, ptrdiff_t need) {
     envelope_t *o = h->peer;
     if (o == NULL) return ERR_FULL;
+    if (h->r - h->l + (o->r - o->l) / 2 < need) {
+        if (!take_spare(h->base < o->base ? h : o, 2 * need)) return ERR_FULL;
+        if (h->r - h->l >= need) return 0;
+    }
     ptrdiff_t take = (o->r - o->l) / 2;
-    if (h->r - h->l + take < need) return ERR_FULL;
     if (h->base < o->base) { /* what lies between the gaps: h's right stack and the peer's left one */
         move_block(h->r, o->l, take);
         h->r += take, h->end += take, o->base += take, o->l += take;
@@ -86,6 +106,18 @@ static int grow(envelope_t *h, ptrdiff_t need) {
         o->r -= take, o->end -= take, h->base -= take, h->l -= take;
     }
     return 0;
+}
+
+void envelope_lend(envelope_t *upper, envelope_spare_t *spare) {
+    upper->spare = spare;
+}
+
+bool envelope_give_back(envelope_t *upper, size_t bytes) {
+    const ptrdiff_t need = (ptrdiff_t)((bytes + sizeof(pencil_t) - 1) / sizeof(pencil_t));
+    if (upper->r - upper->l < need + STEP_ROOM && grow(upper, need + STEP_ROOM) != 0) return false;
+    const ptrdiff_t most = (upper->r - upper->l) / 4;
+    move_base(upper, most > need ? most : need);
+    return true;
 }
 
 static inline int room(envelope_t *h) {

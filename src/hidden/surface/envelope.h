@@ -27,11 +27,19 @@
 #define ENVELOPE_FLOOR (-ENVELOPE_LIMIT)
 #define ENVELOPE_NOISE 4 /* two lines through vertices that are a unit off each, and a crossing on each */
 
+/* Memory right below the upper horizon that nobody uses: windows (windows.h) and horizons take of it, and of each
+ * other.
+ */
+typedef struct envelope_spare {
+    uint8_t *from, *to;
+} envelope_spare_t;
+
 /* A horizon: [base, l) ascending, then the gap, then [r, end) ascending. */
 typedef struct envelope {
     pencil_t *base, *l, *r, *end;
-    struct envelope *peer; /* shares the pool, or NULL */
-    int32_t peak;          /* most vertices so far */
+    struct envelope *peer;   /* shares the pool, or NULL */
+    envelope_spare_t *spare; /* of both, or NULL */
+    int32_t peak;            /* most vertices so far */
 } envelope_t;
 
 /* An interval of an edge, as fractions of its way in the chart from its left to its right end. */
@@ -50,6 +58,11 @@ typedef int (*envelope_take_t)(void *ctx, envelope_part_t part);
 /* Makes an empty upper horizon, and a lower one unless lower is NULL, in pool[0..count). count >= 16.
  * Returns 0 or ERR_FULL when count is too small. */
 int envelope_init(envelope_t *upper, envelope_t *lower, pencil_t *pool, size_t count);
+
+/* Both horizons may take of `spare`, which ends at the upper one's pool. */
+void envelope_lend(envelope_t *upper, envelope_spare_t *spare);
+/* The upper horizon gives so many bytes to what it has been lent, or more. False if it has not so many. */
+bool envelope_give_back(envelope_t *upper, size_t bytes);
 
 /* Clips the edge p-q, p.a < q.a, against h: gives what is above to take (may be NULL: nobody is interested), and
  * raises h by it. Returns 1 if any of it was above, 0 if none, ERR_FULL, or take's error.

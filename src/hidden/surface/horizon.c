@@ -135,7 +135,8 @@ int horizon_draw(const profiles_t *src, const camera_t *cam, bool infinite, cons
     *stats = (hidden_stats_t){0};
     int err = horizons_init(&d->horizons, true, !infinite, rest.mem, rest.bytes / sizeof(pencil_t), take_part, d);
     if (err == 0) err = measure(d, cam);
-    for (int32_t k = 0; k < src->count && err == 0; k++) {
+    int32_t k = 0;
+    for (; k < src->count && err == 0; k++) {
         num_t depth;
         if (depth_of(d, k, &depth)) err = draw_profile(d, k, depth);
         if (err == 0 && job->tick != NULL) job->tick(job->tick_ctx, k + 1, src->count);
@@ -146,6 +147,9 @@ int horizon_draw(const profiles_t *src, const camera_t *cam, bool infinite, cons
     stats->pieces = d->runs.pieces;
     stats->peak_upper = d->horizons.upper.peak;
     stats->peak_lower = infinite ? 0 : d->horizons.lower.peak;
+    if (err == ERR_FULL && k > 0) /* horizons grow slower and slower */
+        stats->needs =
+            job->bytes + (size_t)((uint64_t)job->bytes * (uint32_t)(src->count - k) / (uint32_t)(src->count + k));
     stats->bytes = (size_t)(stats->peak_upper + stats->peak_lower) * sizeof(pencil_t) + HIDDEN_LENT(drawing_t);
     return err;
 }

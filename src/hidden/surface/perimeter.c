@@ -156,11 +156,16 @@ static int draw(grid_t *const grid[], int32_t n, const camera_t *cam, const hidd
             strips->ends |= (uint16_t)(1u << ((from + to) / 2 - 1));
             err = 0;
         } else {
-            if (err == ERR_FULL) stats->needs = HIDDEN_LENT(sweep_t) + sweep_needs(s, grid[0], job, n);
+            if (err == ERR_FULL) {
+                const size_t needs = HIDDEN_LENT(sweep_t) + sweep_needs(s, grid[0], job, n);
+                if (stats->needs < needs) stats->needs = needs;
+                if (strips->divide && to < of) err = 0; /* the next one may need more */
+            }
             from = to;
             stats->strips++;
         }
     }
+    if (err == 0 && stats->needs > 0) err = ERR_FULL;
     stats->bytes += HIDDEN_LENT(sweep_t);
     for (int32_t k = 0; k < n; k++) evaluated += grid[k]->evaluated;
     stats->evaluated = evaluated;

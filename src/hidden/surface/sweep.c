@@ -205,14 +205,24 @@ int sweep_all(sweep_t *s, const hidden_job_t *job, sweep_row_t row) {
     return err != 0 ? err : flush_columns(s);
 }
 
+/* Horizons are soon nearly as long as they get. Windows grow with the rows, on random heights with holes up to this
+ * (measured). */
+#define WINDOWS_MOST(lines, layers) ((100 * (uint64_t)(lines) + 1500) * (uint64_t)(layers))
+
 size_t sweep_needs(const sweep_t *s, const grid_t *g, const hidden_job_t *job, int32_t layers) {
     const int32_t strips = s->of / (s->to - s->from), usual = (layers > 1 ? 18 : 6) * (g->nx + g->ny) / strips;
     size_t fixed = s->fixed, more = (size_t)usual * sizeof(pencil_t);
     if (fixed == 0) /* it did not come to its rows */
         fixed = (size_t)layers * (size_t)g->nx * (sizeof(run_t) + 2 * sizeof(pencil_t) / (size_t)strips) +
                 (size_t)g->nx * sizeof(chart_column_t);
-    if (s->rows > 0) /* what it had grew until then */
-        more = (size_t)((uint64_t)(job->bytes - fixed) * (uint64_t)(g->ny - 1) / (uint64_t)s->rows);
+    if (s->rows > 0) {
+        const uint64_t had = job->bytes - fixed, rows = (uint64_t)g->ny - 1, done = (uint64_t)s->rows;
+        const uint64_t most = WINDOWS_MOST(g->nx + g->ny, layers), grown = had * rows / done;
+        if (s->edges.cover != COVER_WINDOWS)
+            more = (size_t)(had + had * (rows - done) / (4 * rows));
+        else
+            more = (size_t)(grown < most || most < had ? grown : most);
+    }
     return fixed + more;
 }
 

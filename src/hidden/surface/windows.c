@@ -15,7 +15,7 @@ int windows_init(windows_t *w, int32_t nx, void *mem, size_t bytes) {
     if (bytes < size + 4 * sizeof(window_t)) return ERR_FULL;
     *w = (windows_t){.list = mem, .shift = (int8_t)(31 - bits), .bands = (int8_t)bands, .free = -1};
     w->pool = (window_t *)(void *)((uint8_t *)mem + size);
-    w->capacity = (int32_t)((bytes - size) / sizeof(window_t));
+    w->spare = (envelope_spare_t){(uint8_t *)w->pool, (uint8_t *)mem + bytes};
     for (int32_t k = 0; k < lists; k++) w->list[k] = -1;
     return 0;
 }
@@ -92,10 +92,11 @@ int windows_insert(windows_t *w, int32_t a0, int32_t a1, const outline_line_t *l
         int32_t at = w->free;
         if (at >= 0) {
             w->free = w->pool[at].next;
-        } else if (w->used < w->capacity) {
-            at = w->used++;
         } else {
-            return ERR_FULL;
+            const bool fits = (size_t)(w->spare.to - w->spare.from) >= sizeof *w->pool;
+            if (!fits && !(w->above != NULL && envelope_give_back(w->above, sizeof *w->pool))) return ERR_FULL;
+            w->spare.from += sizeof *w->pool;
+            at = w->used++;
         }
         v.next = *list;
         w->pool[at] = v;
@@ -119,10 +120,12 @@ int windows_open(windows_t *w, envelope_t *h, pencil_t p, pencil_t q, bool lower
     envelope_seek(h, p.a);
     pencil_t v = h->l[-1];
     int err = 0;
-    for (const pencil_t *r = h->r; v.a < q.a && err == 0; v = *r++) {
-        const int32_t a0 = pencil_max(v.a, p.a), a1 = pencil_min(r->a, q.a);
-        if (a0 >= a1 || v.w == ENVELOPE_FLOOR || r->w == ENVELOPE_FLOOR) continue;
-        const outline_line_t old = lower ? (outline_line_t){{v.a, -v.w}, {r->a, -r->w}} : (outline_line_t){v, *r};
+    pencil_t r;
+    for (int32_t k = 0; v.a < q.a && err == 0; v = r) {
+        r = h->r[k++]; /* horizons move to make room */
+        const int32_t a0 = pencil_max(v.a, p.a), a1 = pencil_min(r.a, q.a);
+        if (a0 >= a1 || v.w == ENVELOPE_FLOOR || r.w == ENVELOPE_FLOOR) continue;
+        const outline_line_t old = lower ? (outline_line_t){{v.a, -v.w}, {r.a, -r.w}} : (outline_line_t){v, r};
         err = lower ? open_between(w, a0, a1, &edge, &old) : open_between(w, a0, a1, &old, &edge);
     }
     return err;

@@ -32,11 +32,13 @@ typedef struct window {
 
 typedef struct windows {
     window_t *pool;
-    int32_t capacity, used, free; /* used: the pool's entries before `used` have been in use; free: a list of them */
-    int32_t *list;                /* of each bin: 1 + bands */
-    int8_t shift;                 /* an abscissa's bin is (a + 2^30) >> shift */
-    int8_t bands;                 /* 0 or WINDOWS_BANDS */
-    int32_t present;              /* windows there are */
+    int32_t used, free;     /* the pool's entries before `used` have been in use; free: a list of them */
+    envelope_spare_t spare; /* behind them */
+    envelope_t *above;      /* shares that, or NULL */
+    int32_t *list;          /* of each bin: 1 + bands */
+    int8_t shift;           /* an abscissa's bin is (a + 2^30) >> shift */
+    int8_t bands;           /* 0 or WINDOWS_BANDS */
+    int32_t present;        /* windows there are */
 } windows_t;
 
 /* An interval of an edge, as fractions of its way from left to right, or of the height of a vertical one from below. */
@@ -46,8 +48,8 @@ typedef struct windows_part {
 
 #define WINDOWS_BANDS 32
 
-/* No windows; room for as many as fit into `bytes` of mem (aligned to 8), beside bins for nx columns. Returns 0 or
- * ERR_FULL. */
+/* No windows; above NULL; room for as many as fit into `bytes` of mem (aligned to 8), beside bins for nx columns.
+ * Returns 0 or ERR_FULL. */
 int windows_init(windows_t *w, int32_t nx, void *mem, size_t bytes);
 
 /* Bytes that have been in use. */
