@@ -6,7 +6,7 @@ endif
 AR       ?= ar
 V        ?= 0
 Q        := $(if $(filter 0,$(V)),@,)
-say       = @$(if $(filter 0,$(V)),printf '  %-5s %s\n' $(1) $(2),:)
+say       = @$(if $(filter 0,$(V)),printf '  %-5s %s\n' $(1) '$(2)',:)
 # Targets that build and then do something build with one job per processor, unless -j was given.
 JOBS     ?= $(shell nproc 2>/dev/null || echo 1)
 again     = $(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS))

@@ -4,7 +4,7 @@ include firmware/boards.mk
 CROSS    ?= arm-none-eabi-
 FWDIR    := $(BUILDDIR)/firmware
 FW_CFLAGS := -std=c11 -mthumb -ffreestanding -ffunction-sections -fdata-sections -g $(WARN) -MMD -MP
-FW_LDFLAGS := -mthumb -nostartfiles --specs=nano.specs -Wl,--gc-sections -Wl,--fatal-warnings -Llinker
+FW_LDFLAGS := -mthumb -nostartfiles --specs=nano.specs -Wl,--gc-sections -Wl,--emit-relocs -Wl,--fatal-warnings -Llinker
 FW_SRC   := $(wildcard firmware/*.c) $(CORE_SRC)
 
 .PHONY: firmware firmware-run flash-pico flash-microbit
