@@ -37,7 +37,10 @@ static size_t profiles_bytes(const plot_t *plot, int32_t each) {
     return horizon_bytes(each * points);
 }
 
-/* Where memory is small a scene of solids is, too, and is hidden on trial soon enough. */
+/* Where memory is small a scene of solids is, too, and is hidden on trial soon enough: bounds would take 0.4 KB of
+ * code.
+ */
+#define TRIES_SOLIDS (!CONFIG_AREA)
 #define TRY_IT (SIZE_MAX / 2)
 
 /* What hiding needs with so many vertices of horizons for each line of the grid or point of a profile; 0: nothing that
@@ -46,7 +49,7 @@ static size_t profiles_bytes(const plot_t *plot, int32_t each) {
 static size_t hiding_bytes(const plot_t *plot, int32_t each, bool holes) {
     const settings_t *s = plot->settings;
     if ((!CONFIG_SOLIDS && plot->kind == PLOT_SOLIDS) || (!CONFIG_HALO && s->hidden == HIDDEN_HALO)) return 0;
-    if (CONFIG_WAITING > 0 && (picture_wants_solids(plot) || s->hidden == HIDDEN_HALO)) return TRY_IT;
+    if (TRIES_SOLIDS && (picture_wants_solids(plot) || s->hidden == HIDDEN_HALO)) return TRY_IT;
     if (picture_wants_solids(plot)) return picture_solids_bytes(plot);
     if (plot->kind == PLOT_CURVES || s->hidden == HIDDEN_NONE) return 0;
     if (s->hidden == HIDDEN_HORIZON) return profiles_bytes(plot, each);

@@ -370,8 +370,7 @@ int picture_solids(picture_t *p, const pen_sink_t *pen) {
 #endif
     once_t once;
     err = find_what_coincides(p, &once);
-    if (CONFIG_HALO && CONFIG_MANY_BODIES && err == ERR_FULL && p->plot->settings->hidden == HIDDEN_HALO)
-        count_crossings(p);
+    if (CONFIG_AREA && err == ERR_FULL && p->plot->settings->hidden == HIDDEN_HALO) count_crossings(p);
     if (err) return err;
     p->same_bytes = once.bytes;
     p->found_same = true;
