@@ -6,7 +6,7 @@ CPU_lm3s6965 := -mcpu=cortex-m3
 CPU_nrf51    := -mcpu=cortex-m0
 
 OPT_rp2040   := -O2
-OPT_lm3s6965 := -Os -flto=auto
+OPT_lm3s6965 := -Os -flto=auto -fno-tree-loop-im -fno-move-loop-invariants
 # A function that is called once keeps a frame of its own there: 900 bytes of stack less.
 # What is taken out of loops needs registers that there are not: 1.2 KB of flash less, a quarter of a percent slower.
 OPT_nrf51    := -Os -flto=auto -fno-inline-functions-called-once -fno-tree-loop-im -fno-move-loop-invariants -flive-range-shrinkage
