@@ -116,6 +116,7 @@ static __attribute__((noinline)) void open_at(chain_t *c, int32_t r, bool found,
     /* ... other -> free_end, then once round from far_of_loop's side to e: e stays free for the next loop */
     p->mate[far_of_loop] = m->free_end;
     p->mate[m->free_end] = far_of_loop;
+    p->run[m->free_end >> 1].to_hi |= RUN_SEEN; /* it may have no free end from now on */
     set_far_ends(p, e, far_of_other);
 }
 

@@ -29,20 +29,38 @@ static void add(uint8_t family, int32_t line, double from, double to) {
     pool.run[pool.n++] = run_pack(&p);
 }
 
+/* The runs of the stroke with the free end e; as many are on the way back, too. */
+static int32_t runs_of_stroke(int32_t e) {
+    for (int32_t n = 1;; n++, e = pool.mate[e]) {
+        assert_true(n <= pool.n);
+        e ^= 1;
+        if (pool.mate[e] < 0) return n;
+    }
+}
+
 /* Pairs, opens, and returns the number of strokes. */
 static int32_t strokes(void) {
     assert_int_equal(chain_place(&chain, &pool, &map, NEAR), 0);
     chain_pair(&chain);
     const int32_t open = chain_close(&chain);
-    int32_t free_ends = 0;
+    int32_t free_ends = 0, reached = 0;
     if (loop_find(&chain)) loop_open(&chain);
     for (int32_t e = 0; e < 2 * pool.n; e++) {
         int32_t m = pool.mate[e];
         assert_int_equal(m >= 0 ? pool.mate[m] : ~pool.mate[~m], e);
         free_ends += m < 0;
+        if (m < 0) reached += runs_of_stroke(e);
     }
+    assert_int_equal(reached, 2 * pool.n);
     assert_true(free_ends % 2 == 0 && free_ends >= 2 * open);
     return free_ends / 2;
+}
+
+static void add_square(int32_t left, int32_t bottom) {
+    add(INK_ROW, bottom, left, left + 2);
+    add(INK_ROW, bottom + 2, left, left + 2);
+    add(INK_COL, left, bottom, bottom + 2);
+    add(INK_COL, left + 2, bottom, bottom + 2);
 }
 
 static void packing_keeps_everything(void **state) {
@@ -261,6 +279,15 @@ static void few_strokes_are_ordered_nearly_best(void **state) {
                   100 * most);
 }
 
+static void a_line_between_two_closed_strokes_is_none(void **state) {
+    (void)state;
+    start(16);
+    add_square(0, 2);
+    add_square(6, 2);
+    add(INK_ROW, 3, 2, 6); /* both its ends are taken, before it is come to */
+    assert_int_equal(strokes(), 1);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(packing_keeps_everything),
@@ -270,6 +297,7 @@ int main(void) {
         cmocka_unit_test(ends_within_a_quarter_step_meet),
         cmocka_unit_test(a_grid_needs_no_stroke_for_its_frame),
         cmocka_unit_test(closed_strokes_share_a_corner),
+        cmocka_unit_test(a_line_between_two_closed_strokes_is_none),
         cmocka_unit_test(order_is_a_permutation_and_improves),
         cmocka_unit_test(few_strokes_are_ordered_nearly_best),
     };
