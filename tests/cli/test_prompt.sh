@@ -81,15 +81,15 @@ ctrl_c_ends_a_pause() {
     at_terminal "$RIDGELINE" >out <<'END'
 wait ridgeline> 
 type pause -1 "ready?"\n
-wait ready?
+wait \nready?
 type \003
 wait ridgeline> 
 type pause 1000 "soon"; print 1\n
-wait soon
+wait \nsoon
 type \003
 wait ridgeline> 
 type pause -1 "go"; print 40+2\n
-wait go
+wait \ngo
 type \n
 wait \n42
 wait ridgeline> 
