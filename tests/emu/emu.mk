@@ -16,7 +16,6 @@ endef
 $(foreach b,$(BOARDS),$(eval $(call sim_board,$b)))
 # What boards say that scenes would need (tests/emu/needs.c).
 define needs_board
-$(EMUDIR)/obj-$1/tests/emu/needs.o: CPPFLAGS += -DNAME=\"$1\"
 $(EMUDIR)/needs-$1: $(patsubst %.c,$(EMUDIR)/obj-$1/%.o,tests/emu/needs.c $(CORE_SRC) $(SIM_SRC))
 	$$(call say,LD,$$@)
 	$$(Q)$(CC) $(EMU_ABI) $$^ -lm -o $$@

@@ -2,7 +2,7 @@
 # test_needs.sh - what the small boards say that a scene would need, against what it needs (needs.c).
 failed=0
 for board in nrf51 lm3s6965; do
-    if "${BUILDDIR:-build}/emu/needs-$board" >"${TMPDIR:-/tmp}/needs.$$"; then
+    if "${BUILDDIR:-build}/emu/needs-$board" $board >"${TMPDIR:-/tmp}/needs.$$"; then
         grep -E '^# |OK' "${TMPDIR:-/tmp}/needs.$$"
     else
         cat "${TMPDIR:-/tmp}/needs.$$"
