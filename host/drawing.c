@@ -1,5 +1,7 @@
 /* drawing.c - two growing arrays. They double, so a point costs amortised constant time, and a page that is
- * drawn again reuses them. */
+ * drawn again reuses them.
+ *
+ * An array that begins to be large is moved to huge pages: to get memory by small ones costs more than the copy. */
 #include "host/drawing.h"
 
 #include <math.h>
@@ -8,6 +10,12 @@
 #include <sys/mman.h>
 
 #include "error.h"
+
+/* In bytes. Sizes are FIRST_ROOM * 2^k up to LARGE, then LARGE_ROOM * 2^k. */
+#define HUGE_PAGE ((size_t)2 << 20)
+#define FIRST_ROOM ((size_t)8 << 10)
+#define LARGE ((size_t)512 << 10)
+#define LARGE_ROOM ((size_t)8 << 20)
 
 void drawing_init(drawing_t *d) {
     memset(d, 0, sizeof *d);
@@ -71,25 +79,34 @@ void drawing_set_title(drawing_t *d, const char *title) {
     d->title[at] = 0;
 }
 
-/* A large drawing would spend more time on getting memory page by page than on being stored. */
 static void ask_huge_pages(void *p, size_t bytes) {
 #ifdef MADV_HUGEPAGE
-    const uintptr_t page = (uintptr_t)2 << 20, from = ((uintptr_t)p + page - 1) / page * page;
-    const uintptr_t end = (uintptr_t)p + bytes;
-    if (bytes > 2 * page) madvise((void *)from, end - from, MADV_HUGEPAGE);
+    const uintptr_t from = ((uintptr_t)p + HUGE_PAGE - 1) / HUGE_PAGE * HUGE_PAGE, end = (uintptr_t)p + bytes;
+    if (bytes >= 2 * HUGE_PAGE) madvise((void *)from, end - from, MADV_HUGEPAGE);
 #else
     (void)p, (void)bytes;
 #endif
 }
 
-/* Makes *array hold at least one item more than `used`. */
+/* What an array holds, in so much memory that begins with a huge page. */
+static void *move_to_huge_pages(void *array, size_t used, size_t bytes) {
+    void *p;
+    if (posix_memalign(&p, HUGE_PAGE, bytes) != 0) return NULL;
+    ask_huge_pages(p, bytes);
+    memcpy(p, array, used);
+    free(array);
+    return p;
+}
+
+/* Makes *array hold at least one item more than `used`. It doubles, and is moved once, where it begins to be large. */
 static bool make_room(void **array, size_t used, size_t *room, size_t item) {
     if (used < *room) return true;
-    size_t want = *room ? *room * 2 : 1024;
+    const bool begins = *room * item == LARGE;
+    const size_t want = begins ? LARGE_ROOM / item : *room ? *room * 2 : FIRST_ROOM / item;
     if (want > SIZE_MAX / item) return false;
-    void *p = realloc(*array, want * item);
+    void *p = begins ? move_to_huge_pages(*array, used * item, want * item) : realloc(*array, want * item);
     if (!p) return false;
-    ask_huge_pages(p, want * item);
+    if (!begins) ask_huge_pages(p, want * item);
     *array = p;
     *room = want;
     return true;
