@@ -88,7 +88,9 @@ $(BUILDDIR)/obj/%.o: %.c
 	$(call say,CC,$<)
 	$(Q)$(CC) $(CPPFLAGS) $(CFLAGS) -c $< -o $@
 
-$(RIDGELINE): $(BUILDDIR)/obj/host/main.o $(BUILDDIR)/libhost.a $(BUILDDIR)/libcore.a
+# What hides surfaces lies together, whatever grows elsewhere: its speed depends on how its functions lie to each other.
+TOGETHER := $(filter $(BUILDDIR)/obj/src/hidden/surface/%,$(CORE_OBJ))
+$(RIDGELINE): $(BUILDDIR)/obj/host/main.o $(TOGETHER) $(BUILDDIR)/libhost.a $(BUILDDIR)/libcore.a
 	@mkdir -p $(@D)
 	$(call say,LD,$@)
 	$(Q)$(CC) $(LDFLAGS) $^ $(BUILDDIR)/libcore.a $(if $(SANITIZE),$(HOST_LIBS),$(START_QUICKLY)) -o $@
