@@ -138,7 +138,8 @@ static int take_lit(void *ctx, int32_t face, const poly_t *p) {
     for (int32_t k = 0, i = 0; k < p->contours; k++) {
         int32_t *const start = c.w;
         int err = 0;
-        for (; i < p->end[k] && !err; i++) err = put(&c, border, area_move(&mv, p->v[i].at));
+        for (int32_t before = p->end[k] - 1; i < p->end[k] && !err; before = i++)
+            err = put(&c, border, area_move(&mv, p->v[i].at, (int32_t[]){p->v[before].tag, p->v[i].tag}));
         if (!err) err = put_end(&c, border);
         if (err) return err;
         if (c.w - start < 2 * 3) c.w = start;

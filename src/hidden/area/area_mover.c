@@ -1,5 +1,6 @@
 /* area_mover.c - see area_mover.h. */
 #include "hidden/area/area_mover.h"
+#include "hidden/area/area_face.h"
 
 #include "config.h"
 #include "num/ints.h"
@@ -9,6 +10,7 @@
 bool area_mover(area_mover_t *mv, const area_lattice_t *from, const solid_map_t *to, int32_t face) {
     const solid_face_t *f = &to->solid->face[face];
     const int32_t *corner = to->solid->corner + f->corner;
+    mv->face = face;
     mv->from_view = from;
     mv->to_view = to;
     /* The three corners that span the face widest, seen from the light. */
@@ -32,12 +34,6 @@ bool area_mover(area_mover_t *mv, const area_lattice_t *from, const solid_map_t 
         mv->from[k] = solid_map_vertex(from->m, corner[at[k]]);
         mv->to[k] = solid_map_vertex(to, corner[at[k]]);
     }
-    mv->n = f->n <= AREA_MOVER_CORNERS ? f->n : 0;
-    for (int32_t k = 0; k < mv->n; k++) {
-        mv->border[k].at = area_vertex(from, corner[k]);
-        *mv->border[k].from = solid_map_vertex(from->m, corner[k]);
-        *mv->border[k].to = solid_map_vertex(to, corner[k]);
-    }
     return mv->whole != 0;
 }
 
@@ -59,35 +55,75 @@ static area_place_t place(const area_mover_t *mv, int64_t x, int64_t y, int64_t 
     return (area_place_t){.x = x, .y = y, .e = (e > most ? most : e < -most ? -most : e) * (1 << SOLID_FINE_E)};
 }
 
-/* A point on the border stays on it, also where a face of a file is flat only nearly: the light sees that it is not. */
-static bool move_on_border(const area_mover_t *mv, poly_point_t p, area_place_t *to) {
-    for (int32_t k = 0; k < mv->n; k++) {
-        const int32_t m = k + 1 < mv->n ? k + 1 : 0;
-        const poly_point_t a = mv->border[k].at, b = mv->border[m].at;
-        const int64_t dx = (int64_t)b.x - a.x, dy = (int64_t)b.y - a.y, px = (int64_t)p.x - a.x,
-                      py = (int64_t)p.y - a.y;
-        const int64_t wide = dx < 0 ? -dx : dx, high = dy < 0 ? -dy : dy, size = wide > high ? wide : high;
-        const int64_t along = wide > high ? (dx < 0 ? -px : px) : (dy < 0 ? -py : py), off = dx * py - dy * px;
-        if (size == 0 || along < 0 || along > size || off > 2 * size || off < -2 * size) continue;
-        const page_h_t *f = mv->border[k].from, *h = mv->border[k].to, *g = mv->border[m].to;
-        int64_t share = ints_muldiv_round(INK_ONE, along, size);
-        if (mv->from_view->m->lines.perspective && share > 0 && share < INK_ONE) {
-            /* as in the picture, to in space */
-            const int64_t far = mv->border[m].from->e;
-            share = ints_muldiv_round(INK_ONE, ints_muldiv_round(share, f->e, far),
-                                      ints_muldiv_round(share, f->e, far) + INK_ONE - share);
-        }
-        const page_h_t at = line_space_mix(h, g, (int32_t)(share > INK_ONE - 1 ? INK_ONE - 1 : share));
-        *to = share == INK_ONE ? place(mv, g->x, g->y, g->e) : place(mv, at.x, at.y, at.e);
-        return true;
-    }
+/* Is it an edge of the face? */
+static bool has_edge(const area_mover_t *mv, int32_t edge) {
+    const solid_t *s = mv->to_view->solid;
+    for (; edge >= 0; edge = s->edge[edge].twin)
+        if (s->edge[edge].face[0] == mv->face || s->edge[edge].face[1] == mv->face) return true;
     return false;
 }
 
-area_place_t area_move(const area_mover_t *mv, poly_point_t p) {
+static area_place_t vertex(const area_mover_t *mv, int32_t v) {
+    const page_h_t h = solid_map_vertex(mv->to_view, v);
+    return place(mv, h.x, h.y, h.e);
+}
+
+/* Where p is along an edge on whose picture it lies, q30. */
+static int64_t along(const area_mover_t *mv, const int32_t v[2], poly_point_t p) {
+    const poly_point_t a = area_vertex(mv->from_view, v[0]), b = area_vertex(mv->from_view, v[1]);
+    const int64_t dx = (int64_t)b.x - a.x, dy = (int64_t)b.y - a.y, px = (int64_t)p.x - a.x, py = (int64_t)p.y - a.y;
+    const bool wide = (dx < 0 ? -dx : dx) > (dy < 0 ? -dy : dy);
+    const int64_t size = wide ? dx : dy, at = wide ? px : py;
+    if (size == 0) return 0;
+    const int64_t share = ints_muldiv_round(INK_ONE, at, size);
+    if (share <= 0 || share >= INK_ONE) return share <= 0 ? 0 : INK_ONE;
+    if (!mv->from_view->m->lines.perspective) return share;
+    /* as in the picture, to in space */
+    const int64_t near = solid_map_vertex(mv->from_view->m, v[0]).e, far = solid_map_vertex(mv->from_view->m, v[1]).e,
+                  part = ints_muldiv_round(share, near, far);
+    return ints_muldiv_round(INK_ONE, part, part + INK_ONE - share);
+}
+
+/* The vertex where two edges of the face meet; if they have none in common, as where the corner of a hole touches the
+ * outline and the two were made to meet, the one of theirs that the light sees there. -1: none. */
+static int32_t meeting(const area_mover_t *mv, const int32_t v[2], const int32_t w[2], poly_point_t p) {
+    int64_t nearest = AREA_THIN + 1;
+    int32_t found = -1;
+    for (int k = 0; k < 2; k++)
+        if (v[k] == w[0] || v[k] == w[1]) return v[k];
+    for (int k = 0; k < 4; k++) {
+        const int32_t end = k < 2 ? v[k] : w[k - 2];
+        const poly_point_t at = area_vertex(mv->from_view, end);
+        const int64_t dx = (int64_t)at.x - p.x, dy = (int64_t)at.y - p.y,
+                      off = (int64_t)ints_abs64(dx) + (int64_t)ints_abs64(dy);
+        if (off < nearest) nearest = off, found = end;
+    }
+    return found;
+}
+
+/* What ends in an edge of the face lies on it, also where a face of a file is flat only nearly: the light sees that it
+ * is not. So does where two edges meet. */
+static bool move_on_border(const area_mover_t *mv, poly_point_t p, const int32_t edge[2], area_place_t *to) {
+    const solid_t *s = mv->to_view->solid;
+    const bool on[2] = {has_edge(mv, edge[0]), has_edge(mv, edge[1])};
+    if (!on[0] && !on[1]) return false;
+    const int32_t *v = s->edge[edge[on[0] ? 0 : 1]].v, *w = s->edge[edge[on[1] ? 1 : 0]].v;
+    if (v != w) {
+        const int32_t corner = meeting(mv, v, w, p);
+        if (corner >= 0) *to = vertex(mv, corner);
+        return corner >= 0;
+    }
+    const int64_t share = along(mv, v, p);
+    const page_h_t a = solid_map_vertex(mv->to_view, v[0]), b = solid_map_vertex(mv->to_view, v[1]);
+    const page_h_t at = share == INK_ONE ? b : line_space_mix(&a, &b, (int32_t)share);
+    *to = place(mv, at.x, at.y, at.e);
+    return true;
+}
+
+area_place_t area_move(const area_mover_t *mv, poly_point_t p, const int32_t edge[2]) {
     const page_h_t *h = mv->to;
     area_place_t on_border;
-    if (move_on_border(mv, p, &on_border)) return on_border;
+    if (move_on_border(mv, p, edge, &on_border)) return on_border;
     int64_t to_b = poly_orient(mv->at[0], p, mv->at[2]), to_c = poly_orient(mv->at[0], mv->at[1], p);
     int64_t whole = mv->whole;
     if (mv->from_view->m->lines.perspective) {
