@@ -45,7 +45,23 @@ static void polygons_convex(void **state) {
     assert_int_equal(run("polygons, convex", 1000000000, by_convex, NULL), 0);
 }
 
+/* A small face on a plate, the eye close by and all but in its plane. */
+static void once_wrong_area(void **state) {
+    (void)state;
+    static const uint64_t seeds[] = {760, 7421, 8421};
+    uint64_t only;
+    int cut = 0;
+    for (size_t k = 0; k < sizeof seeds / sizeof *seeds && !cases_only_seed(&only); k++) {
+        solid_scene_t s;
+        judge_report_t r = {0};
+        solid_scene_polygons(&s, seeds[k], 4);
+        assert_int_equal(by_area_sort(&cut, &s, &r), SOLID_GOOD);
+        solid_scene_free(&s);
+    }
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(polygons_area), cmocka_unit_test(polygons_convex)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(polygons_area), cmocka_unit_test(polygons_convex),
+                                       cmocka_unit_test(once_wrong_area)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -48,11 +48,21 @@ static void look_at_cut(area_t *a, const poly_t *p, const area_face_t *s, const 
     if (is_flat_cut(&whole, apart, units)) area_roughen(a, c);
 }
 
-/* How much the depths of two faces may be off together at a place. */
-static int64_t slack_of(const area_t *a, const area_face_t *s, const area_face_t *c, poly_point_t at) {
-    if (!s->deep && !c->deep) return s->slack + c->slack;
+/* How much the depths of two faces may be off at a place, each. */
+static void slacks_of(const area_t *a, const area_face_t *s, const area_face_t *c, poly_point_t at, int64_t slack[2]) {
+    slack[0] = s->slack;
+    slack[1] = c->slack;
+    if (!s->deep && !c->deep) return;
     const int64_t z = area_plane_at(&s->plane, at), near = z < 0 ? z : 0;
-    return area_slack(&a->faces.lattice, s, near) + area_slack(&a->faces.lattice, c, near);
+    slack[0] = area_slack(&a->faces.lattice, s, near);
+    slack[1] = area_slack(&a->faces.lattice, c, near);
+}
+
+/* And together. */
+static int64_t slack_of(const area_t *a, const area_face_t *s, const area_face_t *c, poly_point_t at) {
+    int64_t slack[2];
+    slacks_of(a, s, c, at, slack);
+    return slack[0] + slack[1];
 }
 
 /* Does a face of the scene lie in the plane of another? */
@@ -98,6 +108,24 @@ static bool has_edge_in(const area_t *a, const poly_t *p, const area_face_t *s, 
     return false;
 }
 
+/* A face seen nearly edge-on is so steep that what its corners may be off its plane is more than all depths around: it
+ * would be together with whatever is near it. Faces of one plane are equally steep; so where one is much steeper, it is
+ * taken at its word, since its plane goes through corners of it, but for so much as rounding on the page makes of it.
+ */
+#define STEEPER 16
+static void look_at_steep(const area_t *a, const poly_t *p, const area_face_t *s, const area_face_t *c,
+                          const area_plane_t *apart, int64_t rounding, int64_t *front, int64_t *behind) {
+    for (int32_t k = 0; k < poly_vertices(p); k++) {
+        int64_t slack[2];
+        slacks_of(a, s, c, p->v[k].at, slack);
+        const int steep = slack[1] > slack[0];
+        if (slack[steep] / STEEPER < slack[!steep]) continue;
+        const int64_t d = area_plane_at(apart, p->v[k].at), least = slack[!steep] + rounding;
+        if (d > least && d > *front) *front = d;
+        if (-d > least && -d > *behind) *behind = -d;
+    }
+}
+
 /* Where they differ most decides, of the corners where they differ by more than what either may be off there. */
 int area_compare(area_t *a, const poly_t *p, int32_t of, int32_t than) {
     const area_face_t *s = &a->faces.face[of], *c = &a->faces.face[than];
@@ -124,6 +152,7 @@ int area_compare(area_t *a, const poly_t *p, int32_t of, int32_t than) {
     }
     if (maybe_front && maybe_behind) look_at_cut(a, p, s, c, &apart, slack);
     if (clearly_front && clearly_behind) return AREA_THROUGH;
+    if (front == behind) look_at_steep(a, p, s, c, &apart, through, &front, &behind);
     if (front < behind && touching >= 2 && has_edge_in(a, p, s, c, &apart)) area_roughen(a, s);
     return front == behind ? AREA_TOGETHER : front > behind ? AREA_IN_FRONT : AREA_BEHIND;
 }
