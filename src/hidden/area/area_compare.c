@@ -65,19 +65,6 @@ static int64_t slack_of(const area_t *a, const area_face_t *s, const area_face_t
     return slack[0] + slack[1];
 }
 
-/* Does a face of the scene lie in the plane of another? */
-static bool lies_in(const solid_t *s, int32_t face, int32_t of) {
-    const solid_face_t *f = &s->face[face];
-    const solid_normal_t n = solid_face_normal(s, of);
-    const solid_vertex_t *at = &s->vertex[s->corner[s->face[of].corner]];
-    const wide_t slack = solid_slack(&n);
-    for (int32_t k = 0; k < f->n; k++) {
-        const wide_t d = solid_dot(&n, solid_sub(&s->vertex[s->corner[f->corner + k]], at));
-        if (wide_cmp(d, slack) > 0 || wide_cmp(wide_neg(d), slack) > 0) return false;
-    }
-    return true;
-}
-
 /* Has an edge a face in the plane of that face, which hides nothing of it? */
 static bool is_shown_in(const area_t *a, int32_t edge, int32_t face) {
     const solid_t *s = a->faces.lattice.m->solid;
@@ -86,7 +73,7 @@ static bool is_shown_in(const area_t *a, int32_t edge, int32_t face) {
             const int32_t f = s->edge[e].face[side];
             if (f < 0) continue;
             const uint8_t state = a->state[f];
-            if ((state == AREA_TAKES_PART || state == AREA_ROUGH) && lies_in(s, f, face)) return true;
+            if ((state == AREA_TAKES_PART || state == AREA_ROUGH) && area_lies_in(s, f, face)) return true;
         }
     return false;
 }

@@ -145,16 +145,27 @@ static int draw(const area_faces_t *faces, int32_t edge, int32_t on, wire_memory
     return err ? err : show_up_to(&use, &end);
 }
 
+/* Is a face that is turned away the other side of one that is seen edge-on, and so seen edge-on itself? */
+static bool is_edge_on(const solid_t *s, int32_t face, int32_t edge, const uint8_t *state) {
+    for (int32_t e = edge; e >= 0; e = s->edge[e].twin)
+        for (int side = 0; side < 2; side++) {
+            const int32_t other = s->edge[e].face[side];
+            if (other >= 0 && state[other] == AREA_LEFT_OUT && area_lies_in(s, face, other)) return true;
+        }
+    return false;
+}
+
 /* Who answers for an edge: a polygon, or one on the far side of a body; nobody; polygons that end in it roughly. */
 enum { POLYGONS, NOBODY, ROUGHLY };
 static int who_answers_for(const solid_t *s, int32_t edge, const uint8_t *state) {
     int who = NOBODY;
     for (int32_t e = edge; e >= 0; e = s->edge[e].twin)
         for (int side = 0; side < 2; side++) {
-            if (s->edge[e].face[side] < 0) continue;
-            const uint8_t of = state[s->edge[e].face[side]];
-            if (of == AREA_ROUGH) return ROUGHLY;
-            if (of != AREA_LEFT_OUT) who = POLYGONS;
+            const int32_t face = s->edge[e].face[side];
+            if (face < 0) continue;
+            if (state[face] == AREA_ROUGH) return ROUGHLY;
+            if (state[face] == AREA_LEFT_OUT || who == POLYGONS) continue;
+            if (state[face] != AREA_TURNED_AWAY || !is_edge_on(s, face, edge, state)) who = POLYGONS;
         }
     return who;
 }
