@@ -241,7 +241,9 @@ int main(int argc, char **argv) {
         "what is nearer to a plane than %d units of it is in that plane; a crossing is rounded once, to 2^-30 of its "
         "edge (convex), or to a lattice of 1/12,800 of a step each time an area is cut (area sort). A halo's gap is "
         "right to 1 lat (1/%.0f of a step) and 2^-36 of the edge for each lat of its width; edges that would change "
-        "their order if an end moved by one unit are in contact and do not cut each other.\n",
+        "their order if an end moved by one unit are in contact and do not cut each other. With the eye .005 of a "
+        "body's size from a vertex ends were off by up to .6 steps in 3 of 12,000 scenes (area sort; convex: .5 in "
+        "one).\n",
         SOLID_FLAT, LAT_PER_MM * JUDGE_STEP_MM);
     needles_write(argv[1]);
     asked_write(md, asked, (int)(sizeof asked / sizeof *asked), row, rows);
