@@ -8,20 +8,20 @@
 #     alone NAME                  a scene on the board without the simulator, in which its memory is poked; rests LEAST MOST: what its pins did
 #     says TEXT                   ... and the console of the last scene said that (an extended regular expression)
 # A scene is played on a new board, on which nothing has been saved. turned="pen enable ..." tells which pins have levels turned
-# round (set machine invert), pen="servo 1000 2000 0" or "solenoid 0.05 30" what is at the pen's pin: then pen.mjs judges that. probe="PROBE.mjs ARGUMENTS": for rp2040.mjs.
+# round (set machine invert), pen="servo 1000 2000 0" or "solenoid 0.05 30" what is at the pen's pin: then pen.mjs judges that. probe="PROBE.mjs ARGUMENTS": for rp2040.mjs. cut=N: for scope.c.
 ridgeline=${RIDGELINE:-build/host/ridgeline}
 build=${BUILDDIR:-build}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT INT TERM
 failed=0
-turned= pen= probe=
+turned= pen= probe= cut=
 . tests/emu/qemu.sh
 
 run_lm3s6965() { run_qemu "$@"; }
 run_nrf51() { run_qemu "$@"; }
 run_qemu() { # stim, drawings
     serial=file:$work/emu.txt more="-D $work/emu.log ${qemu_more-}" run_by="timeout ${emu_s:-300}"
-    qemu $board "$build" "$work/keep/emu" "vcd=$work/emu.vcd,stim=$1,drawings=$2" >"$work/emu.said" 2>&1 || return 1
+    qemu $board "$build" "$work/keep/emu" "vcd=$work/emu.vcd,stim=$1,drawings=$2${cut:+,cut=$cut}" >"$work/emu.said" 2>&1 || return 1
     cat "$work/emu.said" "$work/emu.log" 2>/dev/null | grep -vE "$QEMU_SAYS" >"$work/emu.err"
     [ ! -s "$work/emu.err" ]
 }

@@ -3,11 +3,11 @@
  *
  *     -plugin scope.so,vcd=out.vcd,stim=in.txt,pin=x_step:PATH@LINE,...,input=limit_x:PATH@LINE:low,...
  *
- * store=FILE,flash=ADDRESS+BYTES writes that part of the flash to the file when the run ends.
- * drawings=N ends the run 20 ms after `enable` has gone off for the N-th time; it ends, too, when all has been played
- * and no pin has moved for 30 s. A byte that the UART model cannot take is written to stderr, where the test finds it.
- * live=1, instead of vcd and stim: somebody sits at the board (scope_live.h).
- * stellaris=1 gives the board the flash controller that QEMU lacks (scope_flash.h). */
+ * store=FILE,flash=ADDRESS+BYTES writes that part of the flash to the file when the run ends. cut=N: the power fails
+ * when the processor has written to it N times. drawings=N ends the run 20 ms after `enable` has gone off for the N-th
+ * time; it ends, too, when all has been played and no pin has moved for 30 s. A byte that the UART model cannot take is
+ * written to stderr, where the test finds it. live=1, instead of vcd and stim: somebody sits at the board
+ * (scope_live.h). stellaris=1 gives the board the flash controller that QEMU lacks (scope_flash.h). */
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -47,6 +47,8 @@ static struct {
     bool started, ending, stellaris, live;
     char store[160];
     unsigned flash_at, flash_bytes, poked;
+    unsigned cut, writes;
+    void *kept; /* the flash when the power failed */
     uint8_t was[2];
     _Alignas(16) unsigned char timer[256]; /* a QEMUTimer, which is smaller */
     _Alignas(16) unsigned char quiet[256];
@@ -177,9 +179,24 @@ static void on_cpu(qemu_plugin_id_t id, unsigned cpu) {
     if (g.stellaris) flash_connect(g.flash_at, g.flash_bytes);
 }
 
-/* The first translation: all devices exist, no instruction has run. */
+static void *read_flash(void) {
+    void *flash = malloc(g.flash_bytes);
+    return qemu_memory(g.flash_at, flash, g.flash_bytes, false) ? flash : NULL;
+}
+
+static void on_write(unsigned cpu, uint32_t info, uint64_t at, void *unused) {
+    (void)cpu, (void)unused;
+    if (!qemu_plugin_mem_is_store(info) || at - g.flash_at >= g.flash_bytes || ++g.writes != g.cut) return;
+    g.kept = read_flash(); /* the processor goes on for a moment */
+    quit(NULL);
+}
+
+/* At the first translation all devices exist, and no instruction has run. */
 static void on_translation(qemu_plugin_id_t id, struct qemu_plugin_tb *tb) {
-    (void)id, (void)tb;
+    (void)id;
+    for (size_t k = 0; g.cut && k < qemu_plugin_tb_n_insns(tb); k++)
+        qemu_plugin_register_vcpu_mem_cb(qemu_plugin_tb_get_insn(tb, k), on_write, PLUGIN_NO_REGISTERS,
+                                         PLUGIN_MEMORY_WRITTEN, NULL);
     if (g.started) return;
     g.started = true;
     connect();
@@ -194,8 +211,8 @@ static void at_exit(qemu_plugin_id_t id, void *unused) {
     FILE *f = g.store[0] ? fopen(g.store, "wb") : NULL;
     if (!f) return;
     if (g.stellaris) flash_power_off();
-    void *flash = malloc(g.flash_bytes);
-    if (qemu_memory(g.flash_at, flash, g.flash_bytes, false)) fwrite(flash, 1, g.flash_bytes, f);
+    void *flash = g.kept ? g.kept : read_flash();
+    if (flash) fwrite(flash, 1, g.flash_bytes, f);
     free(flash);
     fclose(f);
 }
@@ -213,6 +230,7 @@ static bool parse(const char *arg) {
     if (strncmp(arg, "stim=", 5) == 0) return (g.stims = stim_read(arg + 5, &g.stim)) >= 0;
     if (sscanf(arg, "store=%159s", g.store) == 1) return true;
     if (sscanf(arg, "flash=%i+%i", (int *)&g.flash_at, (int *)&g.flash_bytes) == 2) return true;
+    if (sscanf(arg, "cut=%u", &g.cut) == 1) return true;
     if (sscanf(arg, "drawings=%d", &g.to_draw) == 1) return true;
     if (strcmp(arg, "live=1") == 0) return g.live = true;
     if (strcmp(arg, "stellaris=1") == 0) return g.stellaris = true;
