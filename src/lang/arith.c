@@ -164,8 +164,7 @@ static const char *real_binary(uint8_t op, value_t *a, value_t b) {
 }
 
 #if CONFIG_CONTROL
-const char *arith_number(value_t *a) {
-    if (a->kind != VALUE_TEXT) return NULL;
+const char *arith_number_of_text(value_t *a) {
     lexer_t lx;
     lexer_start(&lx, value_chars(*a), (size_t)a->e);
     const bool minus = lexer_accept(&lx, '-');

@@ -13,14 +13,12 @@
  * names a mistake. */
 extern const char ARITH_UNDEFINED[];
 
-#if CONFIG_CONTROL
-/* A text becomes the number that it is; other values stay. */
-const char *arith_number(value_t *a);
-#else
+/* A text becomes the number that it is; CONFIG_CONTROL. */
+const char *arith_number_of_text(value_t *a);
+/* Other values stay. */
 static inline const char *arith_number(value_t *a) {
-    return (void)a, NULL;
+    return CONFIG_CONTROL && a->kind == VALUE_TEXT ? arith_number_of_text(a) : NULL;
 }
-#endif
 /* *a = *a op b; op is OP_ADD .. OP_BOR. Returns NULL, ARITH_UNDEFINED, or what is wrong with an operand. */
 const char *arith_binary(uint8_t op, value_t *a, value_t b);
 /* *a = op *a; op is OP_NEG .. OP_SQUARE. */

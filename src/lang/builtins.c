@@ -14,28 +14,24 @@ static const char *give(value_t *out, num_t r) {
 
 static const char *fn_abs(lang_t *l, value_t *a, int n) {
     (void)l, (void)n;
-    const char *fault = arith_number(a);
-    return !fault && a->m < 0 ? arith_unary(OP_NEG, a) : fault;
+    return a->m < 0 ? arith_unary(OP_NEG, a) : NULL;
 }
 
 static const char *fn_real(lang_t *l, value_t *a, int n) {
     (void)l, (void)n;
-    const char *fault = arith_number(a);
     if (a->kind == VALUE_INT) *a = value_real(value_num(*a));
-    return fault;
+    return NULL;
 }
 
 static const char *fn_sgn(lang_t *l, value_t *a, int n) {
     (void)l, (void)n;
-    const char *fault = arith_number(a);
     *a = value_int((a->m > 0) - (a->m < 0));
-    return fault;
+    return NULL;
 }
 
 static const char *whole(value_t *a, num_t (*round)(num_t)) {
-    const char *fault = arith_number(a);
     if (a->kind == VALUE_REAL) *a = arith_whole(round(value_num(*a)));
-    return fault;
+    return NULL;
 }
 
 static const char *fn_int(lang_t *l, value_t *a, int n) {
@@ -65,10 +61,6 @@ static const char *fn_atan2(lang_t *l, value_t *a, int n) {
 
 /* The smallest argument if sign is -1, the largest if it is 1; NaN if there is one. */
 static const char *extreme(value_t *a, int n, int sign) {
-    for (int i = 0; i < n; i++) {
-        const char *fault = arith_number(&a[i]);
-        if (fault) return fault;
-    }
     value_t best = a[0];
     for (int i = 1; i < n && best.kind != VALUE_UNDEF; i++) {
         bool better;
@@ -143,7 +135,7 @@ const builtin_t BUILTINS[] = {
     {"besj0", 1, 1, 0, func_besj0, NULL},
     {"besj1", 1, 1, 0, func_besj1, NULL},
     {"ceil", 1, 1, 0, NULL, fn_ceil},
-    {"column", 1, 1, BUILTIN_IMPURE | BUILTIN_COLUMNS, NULL, fn_column},
+    {"column", 1, 1, TEXTS | BUILTIN_COLUMNS, NULL, fn_column},
 #if CONFIG_CONTROL
     {"columnhead", 0, 1, TEXT | BUILTIN_COLUMNS, NULL, text_of_column},
 #endif

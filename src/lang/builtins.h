@@ -2,6 +2,7 @@
 #ifndef BUILTINS_H
 #define BUILTINS_H
 
+#include "lang/arith.h"
 #include "lang/names.h"
 
 enum builtin_flags {
@@ -10,8 +11,8 @@ enum builtin_flags {
     BUILTIN_OURS = 4,    /* gnuplot has none: a user's function of that name comes first */
     BUILTIN_ANGLE = 8,   /* takes an angle, in degrees if so set */
     BUILTIN_ARC = 16,    /* gives one */
-    BUILTIN_TEXTS = 32,  /* has to do with texts or arrays; CONFIG_CONTROL, as the next */
-    BUILTIN_TEXT = 64,   /* gives a text */
+    BUILTIN_TEXTS = 32,  /* tells texts from numbers; the others get numbers only */
+    BUILTIN_TEXT = 64,   /* gives a text; CONFIG_CONTROL */
 };
 
 typedef struct builtin {
@@ -25,6 +26,14 @@ typedef struct builtin {
 
 /* In alphabetical order; compiled code holds the index. Those that begin with a blank are operators. */
 extern const builtin_t BUILTINS[];
+/* Calls f, one of n values. Returns what arith_binary does. */
+static inline const char *builtin_call(const builtin_t *f, lang_t *l, value_t *args, int n) {
+    for (int i = 0; CONFIG_CONTROL && i < n && !(f->flags & BUILTIN_TEXTS); i++) {
+        const char *fault = arith_number(&args[i]);
+        if (fault) return fault;
+    }
+    return f->any(l, args, n);
+}
 /* The index of a function, or -1. */
 int builtins_find(const char *name, size_t len);
 

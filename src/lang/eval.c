@@ -271,7 +271,7 @@ int expr_run(lang_t *l, const expr_t *x, value_t *out) {
         case OP_FUNC: {
             SPILL();
             sp -= pc[1];
-            fault = BUILTINS[pc[0]].any(l, sp + 1, pc[1]);
+            fault = builtin_call(&BUILTINS[pc[0]], l, sp + 1, pc[1]);
             if (fault) goto failed;
             TAKE(sp + 1);
             pc += 2;

@@ -137,7 +137,7 @@ static __attribute__((noinline)) void any_function(eval_row_work_t *w, lang_t *l
     for (int k = 0; k < w->n; k++) {
         value_t args[ARGS];
         for (int i = 0; i < pc[2]; i++) args[i] = a[i].at[k * a[i].step];
-        eval_row_note(w, k, BUILTINS[pc[1]].any(l, args, pc[2]));
+        eval_row_note(w, k, builtin_call(&BUILTINS[pc[1]], l, args, pc[2]));
         to[k] = args[0];
     }
 }
@@ -152,7 +152,7 @@ static __attribute__((noinline)) void random_function(eval_row_work_t *w, lang_t
         }
         memcpy(l->seed, seed[k], sizeof l->seed);
         value_t v = *a.at;
-        eval_row_note(w, k, BUILTINS[pc[1]].any(l, &v, 1));
+        eval_row_note(w, k, builtin_call(&BUILTINS[pc[1]], l, &v, 1));
         *to = v;
         memcpy(seed[k], l->seed, sizeof l->seed);
     }

@@ -78,6 +78,7 @@ print sprintf(3)@a format in quotes is needed
 a = "x" 3@the end of the command expected
 a = "x"; print a + 1@column 16: this text is not a number
 print sin("x")@column 7: this text is not a number
+print atan2("x", 1)@column 7: this text is not a number
 print strlen(3)@a text is needed here, not a number
 a = 3; print a[1:2]@a text is needed here, not a number
 print "abc"[2]@':' expected: no array is called so
@@ -118,6 +119,7 @@ print a eq "hello", a ne "hello", "a"."b" eq "ab" ? "yes" : "no"
 print strlen(a), strlen(""), strlen("größer"), "größer"[3:4], strstrt(a, "ll"), strstrt(a, "x")
 print words(w), word(w, 2), "|".word(w, 9)."|", words(""), substr(a, 2, 4)
 print "3" + 4, "3.5" * 2, -"2", sin("1"), int("0x10"), int("7.9"), real("2")
+print atan2("1", "2"), sgn("-3"), rand("0") > 0, ceil("2.1")
 f(x) = x . "!"; g(n) = n == 0 ? "none" : n == 1 ? "one" : "many ".n
 print f("hey"), g(0), g(1), g(n), f(g(7)), strlen(f(g(7)))
 t(x) = sprintf("%s has %d", x, strlen(x))
@@ -147,7 +149,7 @@ n = "text"; print n; n = 3; print n + 1
 END
     echo 'print |T|, T[1]' >more.gp
     ours a.gp >ours.txt
-    [ "$(wc -l <ours.txt)" = 35 ]
+    [ "$(wc -l <ours.txt)" = 36 ]
     command -v gnuplot >/dev/null || return 0
     gnuplot a.gp 2>theirs.txt
     sed 's/  */ /g; s/ $//; /^$/d' theirs.txt >theirs # an array is printed with two line ends
