@@ -158,11 +158,11 @@ static int behind_operand(compiler_t *c) {
     pending_t *in = innermost(c);
     int b = binary_of(token);
     int r = 0;
-#if CONFIG_BOUNDED
-    lexer_t next = *lx;
-    lexer_next(&next);
-    if (token == '<' && next.tok.kind == '*') return 2; /* of a range: [0<*<3:5] */
-#endif
+    if (CONFIG_BOUNDED && token == '<') {
+        lexer_t next = *lx;
+        lexer_next(&next);
+        if (next.tok.kind == '*') return 2; /* of a range: [0<*<3:5] */
+    }
 #if CONFIG_CONTROL
     r = compile_behind(c, in);
     if (r != -1) return r;
