@@ -73,17 +73,17 @@ bool names_value(lang_t *l, int symbol, value_t *out) {
 
 bool names_assign(lang_t *l, int symbol, value_t v) {
     symbol_t *s = &l->symbol[symbol];
+    bool done = true;
 #if CONFIG_CONTROL
     const bool text = v.kind == VALUE_TEXT;
+    if (l->texts && (text || !s->defined)) /* what holds a number has no text to forget */
+        done = texts_set(l->texts, name_of(l, s), s->name_len, text ? value_chars(v) : NULL);
     s->defined = !text;
-    s->u.value = v;
-    if (l->texts && (text || l->texts->used))
-        return texts_set(l->texts, name_of(l, s), s->name_len, text ? value_chars(v) : NULL);
 #else
     s->defined = true;
-    s->u.value = v;
 #endif
-    return true;
+    s->u.value = v;
+    return done;
 }
 
 #if CONFIG_CONTROL
@@ -114,14 +114,8 @@ int names_set(lang_t *l, const char *name, size_t len, value_t v, lang_error_t *
     const int array = names_find(l, SYMBOL_ARRAY, name, len);
     if (array >= 0) names_forget(l, array);
 #endif
-#if CONFIG_CONTROL
-    if (names_assign(l, i, v)) return 0;
+    if (names_assign(l, i, v) || !CONFIG_CONTROL) return 0; /* of a number it is always done */
     return lang_error_set_number(err, ERR_FULL, 0, "no memory for this text; bytes for all", CONFIG_TEXTS);
-#else
-    l->symbol[i].defined = true;
-    l->symbol[i].u.value = v;
-    return 0;
-#endif
 }
 
 void names_release(lang_t *l, uint16_t mark) {
