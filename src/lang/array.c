@@ -5,17 +5,11 @@
 #include "lang/session_parts.h"
 
 #if CONFIG_CONTROL
-/* What an element is to hold; texts are kept for good. */
+/* What an element is to hold. */
 static int element(session_t *s, lexer_t *lx, value_t *out) {
     const lexer_t at = *lx;
     int err = expr_value(&s->lang, lx, out, &s->error);
-    if (err || out->kind != VALUE_TEXT) return err;
-    const int kept = texts_keep(&s->texts, value_chars(*out), (size_t)out->e);
-    if (kept < 0)
-        return lang_error_set_number(&s->error, ERR_FULL, lexer_column(&at), "no memory for this text; bytes for all",
-                                     CONFIG_LITERALS);
-    *out = value_text(s->texts.literal + kept, (size_t)out->e);
-    return 0;
+    return err ? err : session_keep(s, &at, out);
 }
 
 static int no_cells(session_t *s, const lexer_t *at) {

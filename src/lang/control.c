@@ -94,14 +94,6 @@ static int if_command(session_t *s, lexer_t *lx) {
     return 0;
 }
 
-/* A text that stays as long as it is needed. */
-static int keep(session_t *s, const lexer_t *at, value_t *v) {
-    const int kept = texts_keep(&s->texts, value_chars(*v), (size_t)v->e);
-    if (kept < 0) return session_fail(s, at, ERR_FULL, "no memory for this text");
-    *v = value_text(s->texts.literal + kept, (size_t)v->e);
-    return 0;
-}
-
 /* The variable of a range, and what it held before. */
 static int begin(session_t *s, const lexer_t *name, control_range_t *r) {
     lang_t *l = &s->lang;
@@ -109,7 +101,7 @@ static int begin(session_t *s, const lexer_t *name, control_range_t *r) {
     r->symbol = names_intern(l, SYMBOL_VARIABLE, lexer_text(name), name->tok.len, lexer_column(name), &s->error);
     if (r->symbol < 0) return r->symbol;
     r->was_defined = names_value(l, r->symbol, &r->before);
-    return r->was_defined && r->before.kind == VALUE_TEXT ? keep(s, name, &r->before) : 0;
+    return r->was_defined ? session_keep(s, name, &r->before) : 0;
 }
 
 /* Behind `in`: a text, whose words are counted through. */
@@ -119,7 +111,7 @@ static int words(session_t *s, lexer_t *lx, control_range_t *r) {
     int err = expr_value(&s->lang, lx, &v, &s->error);
     if (err) return err;
     if (v.kind != VALUE_TEXT) return lexer_unexpected(&at, &s->error, "a text with words expected");
-    err = keep(s, &at, &v);
+    err = session_keep(s, &at, &v);
     if (err) return err;
     r->words = value_chars(v);
     text_words(&s->lang, &v, 1);

@@ -39,6 +39,9 @@ int session_fail(session_t *s, const lexer_t *lx, int code, const char *message)
 /* session_text.c: copies the text at lx, which must be one, and goes on. size bytes with the zero. */
 int session_string(session_t *s, lexer_t *lx, char *out, size_t size, const char *expected);
 #if CONFIG_CONTROL
+/* A value that is to stay, which only a text does not by itself: it is kept until all names are forgotten. at: who
+ * wants it. */
+int session_keep(session_t *s, const lexer_t *at, value_t *v);
 /* Is what begins here surely a text? */
 bool session_is_text(const session_t *s, const lexer_t *lx);
 /* Or a call of a function that may give one? */

@@ -30,6 +30,16 @@ bool session_may_be_text(const session_t *s, const lexer_t *lx) {
     return session_is_text(s, lx) || (lx->tok.kind == TOKEN_NAME && next.tok.kind == '(');
 }
 
+int session_keep(session_t *s, const lexer_t *at, value_t *v) {
+    if (v->kind != VALUE_TEXT) return 0;
+    const int kept = texts_keep(&s->texts, value_chars(*v), (size_t)v->e);
+    if (kept < 0)
+        return lang_error_set_number(&s->error, ERR_FULL, lexer_column(at), "no memory for this text; bytes for all",
+                                     CONFIG_LITERALS);
+    *v = value_text(s->texts.literal + kept, (size_t)v->e);
+    return 0;
+}
+
 int session_string(session_t *s, lexer_t *lx, char *out, size_t size, const char *expected) {
     const lexer_t at = *lx;
     value_t v;
