@@ -82,9 +82,10 @@ static int using(session_t *s, lexer_t *lx, session_source_t *src) {
     return 0;
 }
 
-/* Numbers between colons, each of which may be left out. */
+/* Numbers between colons, each of which may be left out. Returns how many colons there were, or an error. */
 static int colons(session_t *s, lexer_t *lx, int32_t *const value[], const int32_t lo[], int n) {
-    for (int k = 0; k < n; k++) {
+    int k = 0;
+    for (; k < n; k++) {
         const int variable = CONFIG_CONTROL && lx->tok.kind == TOKEN_NAME
                                  ? names_find(&s->lang, SYMBOL_VARIABLE, lexer_text(lx), lx->tok.len)
                                  : -1;
@@ -97,7 +98,7 @@ static int colons(session_t *s, lexer_t *lx, int32_t *const value[], const int32
         }
         if (!lexer_accept(lx, ':')) break;
     }
-    return 0;
+    return k;
 }
 
 static int index_option(session_t *s, lexer_t *lx, data_spec_t *spec) {
@@ -107,14 +108,9 @@ static int index_option(session_t *s, lexer_t *lx, data_spec_t *spec) {
     if (lx->tok.kind == TOKEN_STRING)
         return session_fail(s, lx, ERR_UNSUPPORTED, "data sets have numbers here, not names");
     spec->last_set = -1;
-    int err = colons(s, lx, value, lo, 3);
-    if (err) return err;
-    if (spec->last_set < 0) { /* index 2 is one set, index 2: and 2::3 go on */
-        lexer_t colon = at;
-        lexer_next(&colon);
-        const bool first = at.tok.kind == TOKEN_NUMBER || at.tok.kind == TOKEN_NAME;
-        spec->last_set = first && colon.tok.kind != ':' ? spec->first_set : INDEX_MAX;
-    }
+    const int n = colons(s, lx, value, lo, 3);
+    if (n < 0) return n;
+    if (spec->last_set < 0) spec->last_set = n == 0 ? spec->first_set : INDEX_MAX; /* index 2: and 2::3 go on */
     if (spec->last_set < spec->first_set) return session_fail(s, &at, ERR_VALUE, "no data set is in this range");
     return 0;
 }
@@ -123,7 +119,8 @@ static int every_option(session_t *s, lexer_t *lx, data_spec_t *spec) {
     static const int32_t lo[6] = {1, 1, 0, 0, 0, 0};
     int32_t *const value[6] = {&spec->point_step,  &spec->block_step, &spec->first_point,
                                &spec->first_block, &spec->last_point, &spec->last_block};
-    return colons(s, lx, value, lo, 6);
+    const int n = colons(s, lx, value, lo, 6);
+    return n < 0 ? n : 0;
 }
 
 int plot_options_data(session_t *s, lexer_t *lx, session_source_t *src) {
