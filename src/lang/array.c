@@ -75,8 +75,8 @@ int array_command(session_t *s, lexer_t *lx) {
 
 static const symbol_t *array_at(const session_t *s, const lexer_t *lx) {
     const int symbol =
-        lx->tok.kind == TOKEN_NAME ? names_find(&s->lang, SYMBOL_ARRAY, lexer_text(lx), lx->tok.len) : -1;
-    return symbol >= 0 && s->lang.symbol[symbol].defined ? &s->lang.symbol[symbol] : NULL;
+        lx->tok.kind == TOKEN_NAME ? names_find_defined(&s->lang, SYMBOL_ARRAY, lexer_text(lx), lx->tok.len) : -1;
+    return symbol >= 0 ? &s->lang.symbol[symbol] : NULL;
 }
 
 int array_assign(session_t *s, lexer_t *lx) {

@@ -13,10 +13,8 @@ static int parameter(const compiler_t *c, const char *name, uint32_t len) {
 /* A name followed by a bracket. */
 static int call(compiler_t *c, const char *name, uint32_t len, int32_t column) {
     int b = builtins_find(name, len);
-    if (b >= 0 && (BUILTINS[b].flags & BUILTIN_OURS)) {
-        int s = names_find(c->e.l, SYMBOL_FUNCTION, name, len);
-        if (s >= 0 && c->e.l->symbol[s].defined) b = -1;
-    }
+    if (b >= 0 && (BUILTINS[b].flags & BUILTIN_OURS) && names_find_defined(c->e.l, SYMBOL_FUNCTION, name, len) >= 0)
+        b = -1;
     if (b >= 0) {
         if (BUILTINS[b].flags & BUILTIN_COLUMNS) c->columns = true;
         return compile_open(c, P_BUILTIN, b, 1);
@@ -39,8 +37,8 @@ static int exists(compiler_t *c) {
     const char *text = lexer_text(lx) + 1;
     if (lx->tok.kind != TOKEN_STRING) return lexer_unexpected(lx, c->err, "the name of a variable in quotes expected");
     const size_t len = lx->tok.len - 2;
-    const int s = names_find(l, SYMBOL_VARIABLE, text, len), a = names_find(l, SYMBOL_ARRAY, text, len);
-    const bool there = (s >= 0 && l->symbol[s].defined) || (a >= 0 && l->symbol[a].defined) ||
+    const bool there = names_find_defined(l, SYMBOL_VARIABLE, text, len) >= 0 ||
+                       names_find_defined(l, SYMBOL_ARRAY, text, len) >= 0 ||
                        (l->texts && texts_get(l->texts, text, len));
     emit_constant(&c->e, value_int(there));
     lexer_next(lx);

@@ -49,8 +49,7 @@ static int array(const compiler_t *c, const lexer_t *lx, int behind) {
     if (lx->tok.kind != TOKEN_NAME) return -1;
     lexer_next(&next);
     if (next.tok.kind != behind) return -1;
-    const int symbol = names_find(c->e.l, SYMBOL_ARRAY, lexer_text(lx), lx->tok.len);
-    return symbol >= 0 && c->e.l->symbol[symbol].defined ? symbol : -1;
+    return names_find_defined(c->e.l, SYMBOL_ARRAY, lexer_text(lx), lx->tok.len);
 }
 
 /* In a slice a bound may be missing, or be a star. */

@@ -38,6 +38,11 @@ int names_find(const lang_t *l, enum symbol_kind kind, const char *name, size_t 
     return -1;
 }
 
+int names_find_defined(const lang_t *l, enum symbol_kind kind, const char *name, size_t len) {
+    const int i = names_find(l, kind, name, len);
+    return i >= 0 && l->symbol[i].defined ? i : -1;
+}
+
 int names_intern(lang_t *l, enum symbol_kind kind, const char *name, size_t len, int32_t column, lang_error_t *err) {
     int found = names_find(l, kind, name, len);
     if (found >= 0) return found;

@@ -87,6 +87,8 @@ void names_forget(lang_t *l, int symbol);
 int names_set(lang_t *l, const char *name, size_t len, value_t v, lang_error_t *err);
 /* The index of a symbol, or -1. */
 int names_find(const lang_t *l, enum symbol_kind kind, const char *name, size_t len);
+/* The index of a symbol that is defined, or -1. */
+int names_find_defined(const lang_t *l, enum symbol_kind kind, const char *name, size_t len);
 /* The index of a symbol that is made, undefined, if it does not exist; or ERR_FULL. */
 int names_intern(lang_t *l, enum symbol_kind kind, const char *name, size_t len, int32_t column, lang_error_t *err);
 /* Forgets symbols made after the first `mark` ones that are still undefined, newest first up to the first

@@ -16,8 +16,8 @@ static int column_number(session_t *s, lexer_t *lx, int64_t *c) {
     const bool minus = lexer_accept(lx, '-');
     value_t v = lx->tok.value;
     if (CONFIG_CONTROL && lx->tok.kind == TOKEN_NAME) {
-        const int symbol = names_find(&s->lang, SYMBOL_VARIABLE, lexer_text(lx), lx->tok.len);
-        if (symbol < 0 || !s->lang.symbol[symbol].defined)
+        const int symbol = names_find_defined(&s->lang, SYMBOL_VARIABLE, lexer_text(lx), lx->tok.len);
+        if (symbol < 0)
             return lang_error_set_name(&s->error, ERR_NAME, lexer_column(lx), "undefined variable", lexer_text(lx),
                                        lx->tok.len);
         v = s->lang.symbol[symbol].u.value;
@@ -86,11 +86,9 @@ static int using(session_t *s, lexer_t *lx, session_source_t *src) {
 static int colons(session_t *s, lexer_t *lx, int32_t *const value[], const int32_t lo[], int n) {
     int k = 0;
     for (; k < n; k++) {
-        const int variable = CONFIG_CONTROL && lx->tok.kind == TOKEN_NAME
-                                 ? names_find(&s->lang, SYMBOL_VARIABLE, lexer_text(lx), lx->tok.len)
-                                 : -1;
-        if (lx->tok.kind == TOKEN_NUMBER || lx->tok.kind == '(' ||
-            (variable >= 0 && s->lang.symbol[variable].defined)) {
+        const bool variable = CONFIG_CONTROL && lx->tok.kind == TOKEN_NAME &&
+                              names_find_defined(&s->lang, SYMBOL_VARIABLE, lexer_text(lx), lx->tok.len) >= 0;
+        if (lx->tok.kind == TOKEN_NUMBER || lx->tok.kind == '(' || variable) {
             int err = set_integer(s, lx, lo[k], INDEX_MAX, value[k], "this number is out of range");
             if (err) return err;
         } else if (lx->tok.kind != ':' && k == 0) {

@@ -92,6 +92,7 @@ array A@[size], or = [value, ...] expected
 array A[0]@the size of this array is out of range
 array A[30000]@no memory for this array
 array A[1024]; array B = []; plot B[1]@array index out of range
+array t[2]; undefine t; t = "1"; splot t[1:1]@cannot read the data file: 1
 B[1] = 3@column 1: unknown array: B
 array A[1]; undefine A; print |A|@column 32: the name of an array expected
 do for [w in 3] {print w}@a text with words expected
