@@ -12,9 +12,6 @@
 
 #if EVAL_ROW_MAX > 1
 
-/* Rows without calls are worth their bytes where heights are evaluated again and again. */
-#define INLINE_WORDS (CONFIG_ROW_FUNCTIONS && CONFIG_DOUBLE_WORDS)
-
 enum { DEPTH = 12, LEAST = 4, ARGS = 8 };
 
 static bool is_binary(uint8_t op) {
@@ -87,8 +84,8 @@ static __attribute__((noinline)) void multiply(eval_row_work_t *w, uint8_t op, e
 }
 static __attribute__((noinline)) void divide(eval_row_work_t *w, uint8_t op, eval_row_operand_t a, eval_row_operand_t b,
                                              value_t *to) {
-    EACH_BINARY(INLINE_WORDS ? double_words_div(eval_row_num(a.at), eval_row_num(b.at))
-                             : num_double_div(eval_row_num(a.at), eval_row_num(b.at)));
+    EACH_BINARY(EVAL_ROW_WORDS ? double_words_div(eval_row_num(a.at), eval_row_num(b.at))
+                               : num_double_div(eval_row_num(a.at), eval_row_num(b.at)));
 }
 
 /* The products of a number that is the same for all points and short, as 5 or 0.25. */
@@ -97,7 +94,7 @@ static __attribute__((noinline)) void multiply_by_word(eval_row_work_t *w, uint8
     EACH_BINARY(double_words_mul_short(eval_row_num(a.at), eval_row_num(b.at)));
 }
 static bool is_short(eval_row_operand_t b) {
-    return INLINE_WORDS && b.step == 0 && (uint32_t)b.at->m == 0;
+    return EVAL_ROW_WORDS && b.step == 0 && (uint32_t)b.at->m == 0;
 }
 static void product(eval_row_work_t *w, eval_row_operand_t a, eval_row_operand_t b, value_t *to) {
     if (is_short(b))

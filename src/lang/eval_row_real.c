@@ -32,8 +32,7 @@ static __attribute__((noinline)) void real_any(eval_row_work_t *w, num_t (*f)(nu
 
 static __attribute__((noinline)) void real_root(eval_row_work_t *w, num_t (*f)(num_t), eval_row_operand_t a,
                                                 value_t *to) {
-    EACH_REAL(true, CONFIG_ROW_FUNCTIONS && CONFIG_DOUBLE_WORDS ? double_words_sqrt(eval_row_num(a.at))
-                                                                : num_double_sqrt(eval_row_num(a.at)))
+    EACH_REAL(true, EVAL_ROW_WORDS ? double_words_sqrt(eval_row_num(a.at)) : num_double_sqrt(eval_row_num(a.at)))
 }
 
 #if CONFIG_ROW_FUNCTIONS

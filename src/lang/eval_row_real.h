@@ -21,6 +21,9 @@ static inline bool eval_row_put(value_t *to, num_t r) {
     return r.undef;
 }
 
+/* Rows without calls are worth their bytes where heights are evaluated again and again. */
+#define EVAL_ROW_WORDS (CONFIG_ROW_FUNCTIONS && CONFIG_DOUBLE_WORDS)
+
 /* One bit a point. */
 #if EVAL_ROW_MAX > 32
 typedef uint64_t eval_row_points_t;
