@@ -92,7 +92,7 @@ static void report(session_t *s, const char *name, const char *text, size_t len)
 }
 
 #if CONFIG_LOAD_DEPTH
-/* Line number `line` of a file, as much of it as fits, without its end; NULL if it cannot be had again. */
+/* Line number `line` of a file, as much of it as fits, up to its LF; NULL if it cannot be had again. */
 static const char *line_of_file(session_t *s, const char *name, int32_t line, char *out, size_t size) {
     session_chunk_t *c = &s->frame_chunk[0]; /* no data file is open now */
     const session_port_t *port = s->port;
@@ -110,7 +110,6 @@ static const char *line_of_file(session_t *s, const char *name, int32_t line, ch
         }
     }
     port->close(port->ctx, handle);
-    if (t.len > 0 && out[t.len - 1] == '\r') out[t.len - 1] = '\0';
     return t.len > 0 ? out : NULL;
 }
 
