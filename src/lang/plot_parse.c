@@ -79,6 +79,22 @@ int plot_text(session_t *s, lexer_t *lx, const char **text) {
 }
 #endif
 
+/* Does an element name a file? What begins with a text may be a formula, as word(c, 1)*x: then it has a number, or
+ * names that only its points define. */
+static bool is_file(session_t *s, const lexer_t *lx) {
+    if (!session_is_text(s, lx)) return false;
+#if CONFIG_CONTROL
+    if (!plot_is_plain(lx)) {
+        lexer_t after = *lx;
+        value_t v;
+        lang_error_t unused;
+        const int err = expr_value(&s->lang, &after, &v, &unused);
+        return err ? err != ERR_NAME : v.kind == VALUE_TEXT;
+    }
+#endif
+    return true;
+}
+
 /* 'file', '-' for inline data, '' for the file before. */
 static int data_name(session_t *s, lexer_t *lx, session_source_t *src, expr_params_t *params) {
     char *name = s->frame_name[0];
@@ -174,7 +190,7 @@ static int element(session_t *s, lexer_t *lx, enum plot_kind kind, expr_params_t
 #endif
     src->name = *lx;
     src->title = lexer_text(lx);
-    if (session_is_text(s, lx)) {
+    if (is_file(s, lx)) {
         src->spec.flat = kind == PLOT_CURVES;
         err = data_name(s, lx, src, params);
         src->title_len = (int32_t)(src->name.tok.len);

@@ -42,7 +42,7 @@ int session_string(session_t *s, lexer_t *lx, char *out, size_t size, const char
 /* A value that is to stay, which only a text does not by itself: it is kept until all names are forgotten. at: who
  * wants it. */
 int session_keep(session_t *s, const lexer_t *at, value_t *v);
-/* Is what begins here surely a text? */
+/* Is what begins here a text, or an element of an array? */
 bool session_is_text(const session_t *s, const lexer_t *lx);
 /* Or a call of a function that may give one? */
 bool session_may_be_text(const session_t *s, const lexer_t *lx);

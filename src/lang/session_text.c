@@ -14,11 +14,7 @@ bool session_is_text(const session_t *s, const lexer_t *lx) {
     if (lx->tok.kind == TOKEN_STRING) return true;
     if (lx->tok.kind != TOKEN_NAME) return false;
     lexer_next(&next);
-    const int array = next.tok.kind == '[' ? names_find_defined(&s->lang, SYMBOL_ARRAY, name, len) : -1;
-    if (array >= 0) {
-        const symbol_t *a = &s->lang.symbol[array];
-        return a->u.cells.len > 0 && s->lang.cell[a->u.cells.start].kind == VALUE_TEXT; /* the others too, then */
-    }
+    if (next.tok.kind == '[' && names_find_defined(&s->lang, SYMBOL_ARRAY, name, len) >= 0) return true;
     if (next.tok.kind != '(') return texts_get(&s->texts, name, len) != NULL;
     const int b = builtins_find(name, len);
     return b >= 0 && (BUILTINS[b].flags & BUILTIN_TEXT);

@@ -9,7 +9,7 @@ int set_title(session_t *s, lexer_t *lx) {
     char title[SETTINGS_TITLE_MAX] = "";
     if (session_may_be_text(s, lx)) {
         char *text = s->frame_name[0]; /* lent: no data file is open now */
-        int err = session_string(s, lx, text, CONFIG_NAME_MAX + 1, "");
+        int err = session_string(s, lx, text, CONFIG_NAME_MAX + 1, "a text in quotes expected");
         if (err) return err;
         size_t n = strlen(text);
         if (n >= sizeof title) {

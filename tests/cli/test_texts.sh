@@ -99,6 +99,8 @@ do for [w in 3] {print w}@a text with words expected
 evaluate 3@a text in quotes expected
 evaluate "foo 1"@"$ evaluated", line 1, column 1: unknown command: foo
 plot x title f(3)@column 14: undefined function: f
+f(x) = x; set title f(3)@column 21: a text in quotes expected
+a = "q"; plot a*x@this text is not a number
 splot strcol(1)@texts in columns of data are not kept
 splot "no"."1"@cannot read the data file: no1
 print exists(a)@the name of a variable in quotes expected
@@ -181,6 +183,11 @@ END
     echo 'splot "two.dat" index 0, "" index 1; replot' | ridgeline plot - -o set.seg
     cmp open.seg set.seg
     cmp open-2.seg set.seg
+    echo 'array A[2] = [1, "two.dat"]; splot A[2] index 0, "" index 1' | ridgeline plot - -o open.seg
+    cmp open.seg set.seg
+    echo 'c = "3 4"; t = "2"; plot word(c, 1)*x + word(c, 2) title "", t + x title ""' | ridgeline plot - -o text.seg
+    echo 'plot 3*x + 4 title "", 2 + x title ""' | ridgeline plot - -o number.seg
+    cmp text.seg number.seg
     echo 'splot for [i=2:*] "two.dat" index i' | expect_status 2 ridgeline plot - 2>err
     expect_text err 'no data'
 }
