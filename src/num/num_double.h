@@ -76,18 +76,29 @@ static inline bool num_double_rare(num_t a, num_t b) {
     return NUM_FAST_RARE(a.m == 0 || b.m == 0);
 }
 
+/* The significands of two by their exponents, the larger of which is *e. Returns how far these are apart. */
+static inline __attribute__((always_inline)) int32_t num_double_by_size(num_t a, num_t b, words_t *big, words_t *small,
+                                                                        int32_t *e) {
+    int32_t d = a.e - b.e;
+    *e = a.e;
+    *big = words_of((uint64_t)a.m);
+    *small = words_of((uint64_t)b.m);
+    if (d < 0) {
+        const words_t other = *big;
+        *big = *small;
+        *small = other;
+        d = -d;
+        *e = b.e;
+    }
+    return d;
+}
+
 /* A sum of two of one sign, neither of them zero, for a core of 32 bits: nothing cancels, the top is where it was or
  * one higher. Branches cost it little, words on the stack much: a third of the time of the general way. */
 static inline __attribute__((always_inline)) num_t num_double_sum_narrow(num_t a, num_t b) {
-    int32_t d = a.e - b.e, e = a.e;
-    words_t big = words_of((uint64_t)a.m), small = words_of((uint64_t)b.m);
-    if (d < 0) {
-        const words_t other = big;
-        big = small;
-        small = other;
-        d = -d;
-        e = b.e;
-    }
+    int32_t e;
+    words_t big, small;
+    int32_t d = num_double_by_size(a, b, &big, &small, &e);
     if (NUM_FAST_RARE(d > 63)) return (num_t){(int64_t)words_join(big), e, false};
     const uint32_t sign = words_sign(big);
     big = words_with_sign(big, sign);
@@ -109,15 +120,9 @@ static inline __attribute__((always_inline)) num_t num_double_sum_narrow(num_t a
  * anything is below them decide its rounding, unless the tops are next to one another: then it is exact before it is
  * rounded. */
 static inline num_t num_double_difference_narrow(num_t a, num_t b) {
-    int32_t d = a.e - b.e, e = a.e;
-    words_t big = words_of((uint64_t)a.m), small = words_of((uint64_t)b.m);
-    if (d < 0) {
-        const words_t other = big;
-        big = small;
-        small = other;
-        d = -d;
-        e = b.e;
-    }
+    int32_t e;
+    words_t big, small;
+    int32_t d = num_double_by_size(a, b, &big, &small, &e);
     if (NUM_FAST_RARE(d > 63)) return (num_t){(int64_t)words_join(big), e, false};
     uint32_t sign = words_sign(big);
     big = words_with_sign(big, sign);
@@ -162,14 +167,10 @@ static inline num_t num_double_add_narrow(num_t a, num_t b) {
 static inline num_t num_double_add(num_t a, num_t b) {
     if (num_double_rare(a, b)) return num_fast_add_rare(a, b);
     if (NUM_DOUBLE_NARROW) return num_double_add_narrow(a, b);
-    int32_t d = a.e - b.e, e = d < 0 ? b.e : a.e;
-    int64_t big = d < 0 ? b.m : a.m, small = d < 0 ? a.m : b.m;
-    if (!NUM_DOUBLE_NARROW) { /* compilers take a branch for that, and guess it wrong */
-        const int64_t other = (a.m ^ b.m) & (d >> 31);
-        big = a.m ^ other;
-        small = b.m ^ other;
-        e = a.e - (d & d >> 31);
-    }
+    int32_t d = a.e - b.e;
+    /* Of a choice between them compilers make a branch, which would be guessed wrong. */
+    const int64_t other = (a.m ^ b.m) & (d >> 31), big = a.m ^ other, small = b.m ^ other;
+    const int32_t e = a.e - (d & d >> 31);
     d = d < 0 ? -d : d;
     if (NUM_FAST_RARE(d > 63)) return (num_t){big, e, false};
     int64_t sign = big >> 63, S = (small ^ sign) - sign;
