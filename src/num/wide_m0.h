@@ -5,17 +5,20 @@
 #ifndef WIDE_M0_H
 #define WIDE_M0_H
 
-/* a:low = a * b, unsigned. */
-#define WIDE_M0_MUL_U32(a, b, low, t, u)                                                                               \
-    "uxth " t ", " a "\n"                                                                                              \
-    "lsrs " a ", " a ", #16\n"                                                                                         \
-    "lsrs " u ", " b ", #16\n"                                                                                         \
+/* The four products of halves, of which `shift` takes the upper ones: a = high high, b = high low, u = low high, low =
+ * low low; t is the lower half of a. */
+#define WIDE_M0_HALVES(shift, a, b, low, t, u)                                                                         \
+    "uxth " t ", " a "\n" shift " " a ", " a ", #16\n" shift " " u ", " b ", #16\n"                                    \
     "uxth " b ", " b "\n"                                                                                              \
     "movs " low ", " t "\n"                                                                                            \
-    "muls " low ", " b "\n" /* low low */                                                                              \
-    "muls " b ", " a "\n"   /* high low */                                                                             \
-    "muls " a ", " u "\n"   /* high high */                                                                            \
-    "muls " u ", " t "\n"   /* low high */                                                                             \
+    "muls " low ", " b "\n"                                                                                            \
+    "muls " b ", " a "\n"                                                                                              \
+    "muls " a ", " u "\n"                                                                                              \
+    "muls " u ", " t "\n"
+
+/* a:low = a * b, unsigned. */
+#define WIDE_M0_MUL_U32(a, b, low, t, u)                                                                               \
+    WIDE_M0_HALVES("lsrs", a, b, low, t, u)                                                                            \
     "adds " u ", " b "\n"                                                                                              \
     "movs " t ", #0\n"                                                                                                 \
     "adcs " t ", " t "\n"                                                                                              \
@@ -29,15 +32,7 @@
 /* a = the upper word of a * b, signed; the upper halves have the signs, so no sum leaves 32 bits. Its lower word is
  * then u * 2^16 and the lower half of low. */
 #define WIDE_M0_MULHI_S32(a, b, low, t, u)                                                                             \
-    "uxth " t ", " a "\n"                                                                                              \
-    "asrs " a ", " a ", #16\n"                                                                                         \
-    "asrs " u ", " b ", #16\n"                                                                                         \
-    "uxth " b ", " b "\n"                                                                                              \
-    "movs " low ", " t "\n"                                                                                            \
-    "muls " low ", " b "\n" /* low low */                                                                              \
-    "muls " b ", " a "\n"   /* high low */                                                                             \
-    "muls " a ", " u "\n"   /* high high */                                                                            \
-    "muls " u ", " t "\n"   /* low high */                                                                             \
+    WIDE_M0_HALVES("asrs", a, b, low, t, u)                                                                            \
     "lsrs " t ", " low ", #16\n"                                                                                       \
     "adds " b ", " t "\n"                                                                                              \
     "uxth " t ", " b "\n"                                                                                              \
