@@ -6,10 +6,8 @@
 #include "path/near.h"
 #include <stddef.h>
 
-#define CROWD 1       /* ends to a cell: the search looks at the fewest */
-#define CROWDED 16    /* times as many, where a grid has brought little together */
-#define SCAN_MAX 128  /* ends looked at in one cell: whatever is in the same cell is near */
-#define FAR INT32_MAX /* beyond every square of a distance; twice that fits 32 bits */
+#define CROWD 1    /* ends to a cell: the search looks at the fewest */
+#define CROWDED 16 /* times as many, where a grid has brought little together */
 
 /* Which end is in a place, and the place of the other end of its stroke, or chain of strokes. */
 typedef struct place {
@@ -25,9 +23,8 @@ typedef struct places {
 
 typedef struct match {
     const chain_t *chain;
-    int32_t x0, y0;       /* of the drawing's extent, lat */
-    int32_t x_max, y_max; /* in spots */
-    int shift;            /* from lat to spots */
+    near_extent_t box;
+    spot_t last; /* the greatest x and y in the box */
     page_point_t at, home;
     places_t now, next; /* a round's, and where the next round's will be */
     uint32_t *start;    /* of every cell, in now; and two more */
@@ -37,9 +34,6 @@ typedef struct match {
 
 static inline bool is_marked(spot_t s) {
     return s.x < 0;
-}
-static inline void mark(spot_t *s) {
-    s->x = (int16_t)(s->x | INT16_MIN);
 }
 
 /* Is the end e free, and the first of its stroke's? */
@@ -51,23 +45,18 @@ static inline bool is_first(const int32_t *mate, int32_t e) {
 static int32_t measure(match_t *m) {
     const chain_t *c = m->chain;
     const int32_t *mate = c->pool->mate;
-    int32_t strokes = 0, x0 = INT32_MAX, y0 = INT32_MAX, x1 = INT32_MIN, y1 = INT32_MIN;
+    near_extent_t box = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN, 0};
+    int32_t strokes = 0;
     for (int32_t e = 0; e < 2 * c->pool->n; e++) {
-        const page_point_t p = c->point[e];
         if (mate[e] >= 0) continue;
-        x0 = p.x_lat < x0 ? p.x_lat : x0;
-        y0 = p.y_lat < y0 ? p.y_lat : y0;
-        x1 = p.x_lat > x1 ? p.x_lat : x1;
-        y1 = p.y_lat > y1 ? p.y_lat : y1;
+        near_include(&box, c->point[e]);
         strokes++;
     }
     strokes /= 2;
-    m->x0 = x0;
-    m->y0 = y0;
     if (strokes == 0) return 0;
-    while ((x1 - x0) >> m->shift > INT16_MAX || (y1 - y0) >> m->shift > INT16_MAX) m->shift++;
-    m->x_max = (x1 - x0) >> m->shift;
-    m->y_max = (y1 - y0) >> m->shift;
+    near_fit(&box);
+    m->box = box;
+    m->last = near_spot(&box, (page_point_t){box.x1, box.y1});
     return strokes;
 }
 
@@ -90,16 +79,13 @@ static bool lay_out(match_t *m, int32_t strokes) {
     return true;
 }
 
-static inline int32_t clamp(int32_t v, int32_t max) {
-    return v < 0 ? 0 : v > max ? max : v;
-}
 static inline spot_t spot_of(const match_t *m, page_point_t p) {
-    return (spot_t){(int16_t)((p.x_lat - m->x0) >> m->shift), (int16_t)((p.y_lat - m->y0) >> m->shift)};
+    return near_spot(&m->box, p);
 }
 /* The pen may be elsewhere. */
 static spot_t spot_nearest(const match_t *m, page_point_t p) {
-    return (spot_t){(int16_t)clamp((p.x_lat - m->x0) >> m->shift, m->x_max),
-                    (int16_t)clamp((p.y_lat - m->y0) >> m->shift, m->y_max)};
+    return (spot_t){(int16_t)near_clamp((p.x_lat - m->box.x0) >> m->box.shift, m->last.x),
+                    (int16_t)near_clamp((p.y_lat - m->box.y0) >> m->box.shift, m->last.y)};
 }
 
 static inline uint32_t *start_of(const match_t *m, spot_t s) {
@@ -108,16 +94,9 @@ static inline uint32_t *start_of(const match_t *m, spot_t s) {
 
 /* Cells for so many ends, nothing in them. */
 static void make_cells(match_t *m, int32_t ends, int32_t crowd) {
-    const int32_t wanted = ends / crowd;
-    for (m->shift_x = m->shift_y = 0; m->shift_x < 15;) {
-        if (((m->x_max >> m->shift_x) + 1) * ((m->y_max >> m->shift_y) + 1) <= wanted) break;
-        if (m->shift_y > m->shift_x)
-            m->shift_x++;
-        else
-            m->shift_y++;
-    }
-    m->nx = (m->x_max >> m->shift_x) + 1;
-    m->ny = (m->y_max >> m->shift_y) + 1;
+    near_size(ends / crowd, m->last.x, m->last.y, &m->shift_x, &m->shift_y);
+    m->nx = (m->last.x >> m->shift_x) + 1;
+    m->ny = (m->last.y >> m->shift_y) + 1;
     for (int32_t k = 0; k < m->nx * m->ny + 2; k++) m->start[k] = 0;
 }
 
@@ -190,10 +169,10 @@ typedef struct best {
 static inline __attribute__((always_inline)) void look(const spot_t *spot, spot_t at, uint32_t not, uint32_t from,
                                                        uint32_t to, best_t *best) {
     uint32_t square = best->square, place = best->place;
-    if (to - from > SCAN_MAX) to = from + SCAN_MAX;
+    if (to - from > NEAR_TAKE_SCAN) to = from + NEAR_TAKE_SCAN;
     for (uint32_t k = from; k < to; k++) {
         uint32_t d = near_square(spot[k], at) | (0u - (uint32_t)(spot[k].x < 0)); /* marked: as far as can be */
-        d = k == not ? FAR : d;
+        d = k == not ? NEAR_FAR : d;
         place = d < square ? k : place;
         square = d < square ? d : square;
     }
@@ -211,12 +190,12 @@ static inline uint32_t partner(const match_t *m, int32_t x, int32_t y, uint32_t 
     const uint32_t *own = &m->start[y * m->nx + x], *up = own + m->nx;
     const spot_t *spot = m->now.spot, at = spot[k];
     const uint32_t not = (uint32_t)m->now.place[k].tip;
-    best_t best = {FAR, NOWHERE};
+    best_t best = {NEAR_FAR, NOWHERE};
     look(spot, at, not, k + 1, own[1], &best);
     const int32_t in_x = at.x - (x << m->shift_x), in_y = at.y - (y << m->shift_y);
-    const uint32_t left = x > 0 ? square_of(in_x + 1) : FAR;
-    const uint32_t right = x + 1 < m->nx ? square_of((1 << m->shift_x) - in_x) : FAR;
-    const uint32_t above = y + 1 < m->ny ? square_of((1 << m->shift_y) - in_y) : FAR;
+    const uint32_t left = x > 0 ? square_of(in_x + 1) : NEAR_FAR;
+    const uint32_t right = x + 1 < m->nx ? square_of((1 << m->shift_x) - in_x) : NEAR_FAR;
+    const uint32_t above = y + 1 < m->ny ? square_of((1 << m->shift_y) - in_y) : NEAR_FAR;
     if (right < best.square) look(spot, at, not, own[1], own[2], &best);
     if (above < best.square) look(spot, at, not, up[0], up[1], &best);
     if (left + above < best.square) look(spot, at, not, up[-1], up[0], &best);
@@ -231,8 +210,8 @@ static inline void link_places(const match_t *m, uint32_t i, uint32_t j) {
     p->place[b.tip].tip = a.tip;
     m->chain->pool->mate[a.end] = ~b.end;
     m->chain->pool->mate[b.end] = ~a.end;
-    mark(&p->spot[i]);
-    mark(&p->spot[j]);
+    near_mark_end(&p->spot[i]);
+    near_mark_end(&p->spot[j]);
 }
 
 /* Goes through all cells once. Returns how many links it has made. */

@@ -8,13 +8,7 @@ static near_cell_t *cell_of(const near_t *g, spot_t s) {
 
 static void set_size(near_t *g, int32_t items, int32_t crowd, int32_t x_max, int32_t y_max) {
     int32_t wanted = items / crowd + 1 < g->cells_max ? items / crowd + 1 : g->cells_max;
-    for (g->shift_x = g->shift_y = 0; g->shift_x < 15;) {
-        if (((x_max >> g->shift_x) + 1) * ((y_max >> g->shift_y) + 1) <= wanted) break;
-        if (g->shift_y > g->shift_x)
-            g->shift_x++;
-        else
-            g->shift_y++;
-    }
+    near_size(wanted, x_max, y_max, &g->shift_x, &g->shift_y);
     g->nx = (x_max >> g->shift_x) + 1;
     g->ny = (y_max >> g->shift_y) + 1;
 }
@@ -63,8 +57,6 @@ void near_thin(near_t *g, int32_t crowd) {
 const near_cell_t *near_cell_at(const near_t *g, int32_t cx, int32_t cy) {
     return cx < 0 || cy < 0 || cx >= g->nx || cy >= g->ny ? NULL : &g->cell[cy * g->nx + cx];
 }
-
-#define FAR INT32_MAX /* beyond every square of a distance; twice that fits 32 bits */
 
 /* A search: the nearest item so far, where it is entered, and its distance. */
 typedef struct search {
@@ -148,13 +140,9 @@ static void search_row(search_t *s, int32_t r, int32_t out, int32_t step) {
     }
 }
 
-static int32_t clamp(int32_t v, int32_t max) {
-    return v < 0 ? 0 : v > max ? max : v;
-}
-
-/* The square of how far the cells on one side are, or FAR if there are none. */
+/* The square of how far the cells on one side are, or NEAR_FAR if there are none. */
 static uint32_t border(int32_t v, int32_t c, int shift, int32_t by, int32_t cells) {
-    if (c + by < 0 || c + by >= cells) return FAR;
+    if (c + by < 0 || c + by >= cells) return NEAR_FAR;
     const uint32_t d = away(v, c, shift, by);
     return d * d;
 }
@@ -191,9 +179,9 @@ static uint32_t ring_square(const search_t *s, int32_t r) {
 }
 
 int32_t near_take(near_t *g, spot_t at, int32_t from) {
-    search_t s = {.g = g, .at = at, .best = FAR};
-    s.cx = clamp(at.x >> g->shift_x, g->nx - 1);
-    s.cy = clamp(at.y >> g->shift_y, g->ny - 1);
+    search_t s = {.g = g, .at = at, .best = NEAR_FAR};
+    s.cx = near_clamp(at.x >> g->shift_x, g->nx - 1);
+    s.cy = near_clamp(at.y >> g->shift_y, g->ny - 1);
     near_cell_t *own = &g->cell[s.cy * g->nx + s.cx];
     forget_own(g, own, from);
     search_cell(&s, own);

@@ -27,44 +27,27 @@ static void lay_out(tour_t *t, const chain_t *c) {
     t->near.spot = t->spot;
 }
 
-/* The extent of the drawing, and how many bits must go so that it fits 15. */
-typedef struct extent {
-    int32_t x0, y0, x1, y1;
-    int shift;
-} extent_t;
-
-static void include(extent_t *b, page_point_t p) {
-    if (p.x_lat < b->x0) b->x0 = p.x_lat;
-    if (p.y_lat < b->y0) b->y0 = p.y_lat;
-    if (p.x_lat > b->x1) b->x1 = p.x_lat;
-    if (p.y_lat > b->y1) b->y1 = p.y_lat;
-}
-
-static spot_t spot_of(const extent_t *b, page_point_t p) {
-    return (spot_t){(int16_t)((p.x_lat - b->x0) >> b->shift), (int16_t)((p.y_lat - b->y0) >> b->shift)};
-}
-
 void tour_collect(tour_t *t, const chain_t *c, page_point_t at, page_point_t home) {
     const int32_t *mate = c->pool->mate;
-    extent_t box = {at.x_lat, at.y_lat, at.x_lat, at.y_lat, 0};
+    near_extent_t box = {at.x_lat, at.y_lat, at.x_lat, at.y_lat, 0};
     int32_t ends = 2 * c->pool->n;
     lay_out(t, c);
-    include(&box, home);
+    near_include(&box, home);
     for (int32_t e = 0; e < ends; e++) {
-        if (mate[e] < 0) include(&box, c->point[e]);
+        if (mate[e] < 0) near_include(&box, c->point[e]);
     }
-    while ((box.x1 - box.x0) >> box.shift > INT16_MAX || (box.y1 - box.y0) >> box.shift > INT16_MAX) box.shift++;
+    near_fit(&box);
     t->n = 0;
     for (int32_t e = 0; e < ends; e++) {
         if (mate[e] >= 0 || ~mate[e] < e) continue;
         t->end[t->n] = e;
-        t->spot[2 * t->n] = spot_of(&box, c->point[e]);
-        t->spot[2 * t->n + 1] = spot_of(&box, c->point[~mate[e]]);
+        t->spot[2 * t->n] = near_spot(&box, c->point[e]);
+        t->spot[2 * t->n + 1] = near_spot(&box, c->point[~mate[e]]);
         t->n++;
     }
     t->end[t->n] = 0;
-    t->spot[2 * t->n] = spot_of(&box, home);
-    t->spot[2 * t->n + 1] = spot_of(&box, at);
+    t->spot[2 * t->n] = near_spot(&box, home);
+    t->spot[2 * t->n + 1] = near_spot(&box, at);
 }
 
 void tour_greedy(tour_t *t) {
