@@ -31,4 +31,11 @@ static inline void *arena_take(arena_t *a, size_t size) {
     return a->base + start;
 }
 
+/* All that is left, aligned, or NULL; *bytes: how much that is. */
+static inline void *arena_take_rest(arena_t *a, size_t *bytes) {
+    const size_t left = arena_left(a);
+    *bytes = left > 16 ? left - 16 : 0;
+    return arena_take(a, *bytes);
+}
+
 #endif

@@ -177,10 +177,9 @@ static int put_together(picture_t *p) {
     list_meshes(p->plot, &m);
     int err = make_surfaces(p, &m);
     if (err) return err;
-    size_t bytes = arena_left(&p->arena);
     const arena_t before = p->arena;
-    bytes = bytes > 16 ? bytes - 16 : 0;
-    void *mem = arena_take(&p->arena, bytes);
+    size_t bytes = 0;
+    void *mem = arena_take_rest(&p->arena, &bytes);
     err = solid_build(&p->solid, m.list, p->plot->n, mem, bytes);
     p->arena = before;
     p->arena.bytes = all;
@@ -195,9 +194,8 @@ static int add_seams(picture_t *p) {
     const settings_t *set = p->plot->settings;
     if (!set->seams || (set->hidden != HIDDEN_PERIMETER && set->hidden != HIDDEN_CONVEX)) return 0;
     const arena_t before = p->arena;
-    const size_t left = arena_left(&p->arena), bytes = left > 16 ? left - 16 : 0;
-    size_t kept = 0;
-    void *mem = arena_take(&p->arena, bytes);
+    size_t bytes = 0, kept = 0;
+    void *mem = arena_take_rest(&p->arena, &bytes);
     int err = mem ? seams_add(&p->solid, mem, bytes, &kept) : ERR_FULL;
     p->arena = before;
     if (!err && kept > 0) arena_take(&p->arena, kept); /* the same place */
@@ -335,8 +333,8 @@ static bool is_inside(const picture_t *p) {
 /* With all memory that is left, of which it keeps little. */
 static int find_what_coincides(picture_t *p, once_t *once) {
     const arena_t before = p->arena;
-    const size_t left = arena_left(&p->arena), bytes = left > 16 ? left - 16 : 0;
-    void *mem = arena_take(&p->arena, bytes);
+    size_t bytes = 0;
+    void *mem = arena_take_rest(&p->arena, &bytes);
     const settings_t *set = p->plot->settings;
     const bool away =
         set->dashed || set->hidden == HIDDEN_NONE || set->hidden == HIDDEN_HALO || set->hidden == HIDDEN_AREA;
@@ -353,10 +351,10 @@ static int drop(void *ctx, const ink_piece_t *piece) {
 
 /* In what is left of the memory, of a scene that does not fit; for picture_solids_needs. */
 static void count_crossings(picture_t *p) {
-    size_t bytes = arena_left(&p->arena);
-    bytes = bytes > 16 ? bytes - 16 : 0;
+    size_t bytes = 0;
+    void *mem = arena_take_rest(&p->arena, &bytes);
     const ink_sink_t sink = {p, drop};
-    const hidden_job_t job = {arena_take(&p->arena, bytes), bytes, &sink, hide_tick, p, 0, NULL};
+    const hidden_job_t job = {mem, bytes, &sink, hide_tick, p, 0, NULL};
     picture_halo_solids(p, &job);
     p->stats.kernel_bytes = p->stats.hidden.bytes;
 }
