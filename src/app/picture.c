@@ -134,6 +134,10 @@ static int drop_ink(void *ctx, const ink_piece_t *piece) {
     return 0;
 }
 
+ink_sink_t picture_drop(picture_t *p) {
+    return (ink_sink_t){p, drop_ink};
+}
+
 static int pause_kernel(void *ctx) {
     picture_t *p = ctx;
     p->pieces = 0;
@@ -186,7 +190,7 @@ int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t r
 
     bool inside = true;
     for (int32_t k = 0; k < p->spaces; k++) inside = inside && p->lines[k].all_inside;
-    p->cut = (cut_t){p->lines, p->trial ? (ink_sink_t){p, drop_ink} : path_sink(&p->path)};
+    p->cut = (cut_t){p->lines, p->trial ? picture_drop(p) : path_sink(&p->path)};
 #if CONFIG_AREA
     if (p->pens.now) p->cut.next = pens_ink(&p->pens, p->cut.next);
 #endif

@@ -344,16 +344,11 @@ static int find_what_coincides(picture_t *p, once_t *once) {
     return err;
 }
 
-static int drop(void *ctx, const ink_piece_t *piece) {
-    (void)ctx, (void)piece;
-    return 0;
-}
-
 /* In what is left of the memory, of a scene that does not fit; for picture_solids_needs. */
 static void count_crossings(picture_t *p) {
     size_t bytes = 0;
     void *mem = arena_take_rest(&p->arena, &bytes);
-    const ink_sink_t sink = {p, drop};
+    const ink_sink_t sink = picture_drop(p);
     const hidden_job_t job = {mem, bytes, &sink, hide_tick, p, 0, NULL};
     picture_halo_solids(p, &job);
     p->stats.kernel_bytes = p->stats.hidden.bytes;

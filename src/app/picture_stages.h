@@ -55,6 +55,8 @@ int picture_close(picture_t *p);
 void picture_tell(picture_t *p, enum picture_stage stage, int32_t done, int32_t of);
 /* So much is hidden, after so many facets more: draws what can be drawn meanwhile. */
 void picture_hidden(picture_t *p, int32_t done, int32_t of, int32_t facets);
+/* A sink that draws nothing. */
+ink_sink_t picture_drop(picture_t *p);
 /* The kernel's share of the arena: half of a small one, a quarter of a large one. */
 void *picture_kernel_memory(picture_t *p, size_t *bytes);
 /* A share of what is left of the arena for what only saves time, without what ordering asks for at least. */
