@@ -44,8 +44,9 @@ static uint32_t reduce_large(num_t a, wide_t *r) {
     return k;
 }
 
-/* a = r + k pi/128 for a >= 2^-32, |r| <= 0.0126 in Q126; k modulo 256. */
+/* |a| = r + k pi/128 for |a| >= 2^-32, |r| <= 0.0126 in Q126; k modulo 256. */
 static uint32_t reduce(num_t a, wide_t *r) {
+    a.m = (int64_t)ints_abs64(a.m);
     if (a.e + 62 >= 20) return reduce_large(a, r);
     int n = -(a.e + 43);                                                                  /* at least 0 */
     uint32_t a11 = n < 31 ? (uint32_t)((uint64_t)a.m >> 32) >> n : 0;                     /* Q11 */
@@ -104,14 +105,14 @@ static bool is_tiny(num_t a) {
 num_t func_sin(num_t a) {
     if (a.m == 0 || is_tiny(a)) return a;
     wide_t r;
-    uint32_t k = reduce((num_t){(int64_t)ints_abs64(a.m), a.e, false}, &r);
+    uint32_t k = reduce(a, &r);
     return sine_at(k, r, small_angle(r), a.m);
 }
 
 num_t func_cos(num_t a) {
     if (a.m == 0 || is_tiny(a)) return a.undef ? a : num_from_i64(1);
     wide_t r;
-    uint32_t k = reduce(num_abs(a), &r);
+    uint32_t k = reduce(a, &r);
     return sine_at(k + 64, r, small_angle(r), 0);
 }
 
@@ -120,7 +121,7 @@ void func_sincos(num_t a, num_t *sine, num_t *cosine) {
     *cosine = num_from_i64(1);
     if (a.m == 0 || is_tiny(a)) return;
     wide_t r;
-    uint32_t k = reduce(num_abs(a), &r);
+    uint32_t k = reduce(a, &r);
     small_t s = small_angle(r);
     *sine = sine_at(k, r, s, a.m);
     *cosine = sine_at(k + 64, r, s, 0);
