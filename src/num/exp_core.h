@@ -48,10 +48,8 @@ static inline __attribute__((always_inline)) exp_core_t exp_reduced(int32_t k, w
     /* e^r - 1, Q70, below 2^62.5 */
     const words_t p = words_add(words_add(r, words_sar(square, 7)), words_sar(cube, 17));
     words_t u = words_of(func_tables_exp2[k & 63]); /* Q62 */
-    const int32_t p_high = words_upper(p), t_high = words_upper(u);
-    const int32_t rest = words_mulhi_s32(t_high, (int32_t)words_lo(p)) + words_mulhi_s32((int32_t)words_lo(u), p_high);
-    const words_t tp = words_add(words_mul_s32(t_high, p_high), words_of_s32(rest + 32)); /* Q68, to 3 units */
-    u = words_add(u, words_sar(tp, 6));                                                   /* Q62, in [0.994, 2) */
+    const words_t tp = words_scaled(u, p, 32);      /* Q68, to 3 units */
+    u = words_add(u, words_sar(tp, 6));             /* Q62, in [0.994, 2) */
     const int32_t e = (k >> 6) - 62;
     return words_hi(u) >> 30 ? (exp_core_t){u, e} : (exp_core_t){words_shl(u, 1), e - 1};
 }

@@ -22,13 +22,6 @@ typedef struct sin_core {
     bool sure;
 } sin_core_t;
 
-/* a b / 2^64, within 2 units; a and b below 2^63 - 2^31. */
-static inline words_t sin_core_scaled(words_t a, words_t b) {
-    const int32_t ah = words_upper(a), bh = words_upper(b);
-    const int32_t rest = words_mulhi_s32(ah, (int32_t)words_lo(b)) + words_mulhi_s32(bh, (int32_t)words_lo(a));
-    return words_add(words_mul_s32(ah, bh), words_of_s32(rest));
-}
-
 /* a - k pi/128 in Q69, for |a| = m 2^e; only the difference has to fit. */
 static inline words_t sin_core_rest(words_t m, int32_t e, uint32_t k) {
     const int s = e + 69; /* at most 16 */
@@ -61,7 +54,7 @@ static inline __attribute__((always_inline)) sin_core_t sin_core(words_t m, int3
     u = words_add(u, words_shr(u, 16));
     u = words_add(u, words(0, words_hi(u)));
     u = words_sub(u, words_shr(words_mul_u32(q, zh), 20));
-    const words_t sine = words_sub(r, words_sar(sin_core_scaled(r, u), 10)); /* Q69 */
+    const words_t sine = words_sub(r, words_sar(words_scaled(r, u, 0), 10)); /* Q69 */
     /* cos r = 1 - c with c = z/2 - z^2 (1/24 - z/720) */
     q = words_hi(words_mul_u32(zh, 2863311531u - (words_hi(words_mul_u32(zh, 95443718)) >> 12))); /* Q48 */
     const words_t c = words_sub(words_shr(z, 1), words_shr(words_mul_u32(q, zh), 18));            /* Q74 */
@@ -73,7 +66,7 @@ static inline __attribute__((always_inline)) sin_core_t sin_core(words_t m, int3
         a = b;
         b = words_with_sign(swap, ~0u);
     }
-    words_t sum = words_sub(sin_core_scaled(b, sine), words_sar(sin_core_scaled(a, c), 5)); /* Q67 */
+    words_t sum = words_sub(words_scaled(b, sine, 0), words_sar(words_scaled(a, c, 0), 5)); /* Q67 */
     sum = words_add(a, words_sar(words_add(sum, words(0, 16)), 5));                         /* Q62 */
     int shift = 0;
     while (words_hi(sum) >> 30 == 0) {

@@ -178,5 +178,11 @@ static inline words_t words_mul_s32(int32_t a, int32_t b) {
 static inline words_t words_mul_u32(uint32_t a, uint32_t b) {
     return words_of(wide_mul_u32(a, b));
 }
+/* a b / 2^64 + more, a and b below 2^63 - 2^31: within 2 units. */
+static inline words_t words_scaled(words_t a, words_t b, int32_t more) {
+    const int32_t ah = words_upper(a), bh = words_upper(b);
+    const int32_t rest = words_mulhi_s32(ah, (int32_t)words_lo(b)) + words_mulhi_s32(bh, (int32_t)words_lo(a));
+    return words_add(words_mul_s32(ah, bh), words_of_s32(rest + more));
+}
 
 #endif
