@@ -71,7 +71,7 @@ int main(int argc, char **argv) {
     snprintf(program, sizeof program, "%.*s../host/ridgeline", slash ? (int)(slash - argv[0] + 1) : 0, argv[0]);
     FILE *md = report_create(argv[1], "hard-lights.md"), *tsv = report_create(argv[1], "hard-lights.tsv");
     const int count = hard_lights_count();
-    sheets_t sheets = {.dir = argv[1], .name = "hard-lights", .cases = count};
+    sheets_t sheets = {.dir = argv[1], .name = "hard-lights", .cases = count, .apart = true};
     light_tally_t all = {0};
     fputs(
         "# Hard lights\n\nLeft the drawing, with borders of shadows, right what rays say: dashes where no light falls, "

@@ -136,7 +136,8 @@ void sheets_enter(sheets_t *s, const char *name, const char *naive, const stroke
     const sheet_box_t box = part ? *part : ink_box(ours);
     char text[160];
     if (at == 0) s->cr = start(left < SHEET_CASES ? left : SHEET_CASES, s->zoom > 0 ? s->zoom : 1);
-    strokes_t wrong = without(other, ours), lacks = without(ours, other);
+    strokes_t wrong = {0}, lacks = {0};
+    if (!s->apart) wrong = without(other, ours), lacks = without(ours, other);
     thumbnail(s->cr, x, y, ours, &box, INK_BLACK);
     thumbnail(s->cr, x + CELL_W, y, &lacks, &box, INK_MISSING);
     thumbnail(s->cr, x + CELL_W, y, other, &box, INK_BLACK);

@@ -1,8 +1,9 @@
 /* sheet.h - contact sheets: for each case ours on the left and a naive drawing on the right, as PNG. In the naive one
- * red is what ours has not, blue what it lacks of ours. */
+ * red is what ours has not, blue what it lacks of ours; unless the right one is no drawing of the same lines. */
 #ifndef REPORT_SHEET_H
 #define REPORT_SHEET_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #define SHEET_CASES 30 /* on one sheet */
@@ -24,6 +25,7 @@ typedef struct sheets {
     const char *dir, *name; /* DIR/NAME-1.png ... */
     int cases, entered;
     double zoom; /* of the whole sheet; 0: 1 */
+    bool apart;  /* differences are not marked */
     struct _cairo *cr;
 } sheets_t;
 
