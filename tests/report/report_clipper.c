@@ -10,6 +10,7 @@
 #include "tests/oracle/hard_pairs.h"
 #include "tests/oracle/slab_area.h"
 #include "tests/report/create.h"
+#include "tests/report/sheet.h"
 
 #define CELL 120
 #define TEXT 16
@@ -18,11 +19,7 @@
 
 static const char *const result_name[RESULTS] = {"inside", "outside", "rest", "union", "xor"};
 
-typedef struct box {
-    double x0, y0, x1, y1;
-} box_t;
-
-static void stretch(box_t *b, const poly_t *p) {
+static void stretch(sheet_box_t *b, const poly_t *p) {
     for (int32_t k = 0; k < poly_vertices(p); k++) {
         b->x0 = fmin(b->x0, p->v[k].at.x), b->x1 = fmax(b->x1, p->v[k].at.x);
         b->y0 = fmin(b->y0, p->v[k].at.y), b->y1 = fmax(b->y1, p->v[k].at.y);
@@ -30,7 +27,7 @@ static void stretch(box_t *b, const poly_t *p) {
 }
 
 /* The polygon filled and drawn, its corners as dots. */
-static void draw(cairo_t *cr, double x, double y, const box_t *b, const poly_t *p, enum clip_fill fill,
+static void draw(cairo_t *cr, double x, double y, const sheet_box_t *b, const poly_t *p, enum clip_fill fill,
                  const double rgb[3]) {
     const double k = (CELL - 16) / fmax(fmax(b->x1 - b->x0, b->y1 - b->y0), 1);
     cairo_save(cr);
@@ -55,34 +52,11 @@ static void draw(cairo_t *cr, double x, double y, const box_t *b, const poly_t *
     cairo_restore(cr);
 }
 
-static void text(cairo_t *cr, double x, double y, const char *s) {
-    cairo_set_source_rgb(cr, 0, 0, 0);
-    cairo_set_font_size(cr, 10);
-    cairo_move_to(cr, x + 4, y);
-    cairo_show_text(cr, s);
-    cairo_new_path(cr);
-}
-
 static cairo_t *sheet(int rows) {
-    cairo_surface_t *to =
-        cairo_image_surface_create(CAIRO_FORMAT_RGB24, (1 + RESULTS) * CELL, rows * (CELL + TEXT) + TEXT);
-    cairo_t *cr = cairo_create(to);
-    cairo_surface_destroy(to);
-    cairo_set_source_rgb(cr, 1, 1, 1);
-    cairo_paint(cr);
-    text(cr, 0, 11, "subject, clip");
-    for (int k = 0; k < RESULTS; k++) text(cr, (k + 1) * CELL, 11, result_name[k]);
+    cairo_t *cr = sheet_begin(1, (1 + RESULTS) * CELL, rows * (CELL + TEXT) + TEXT);
+    sheet_text(cr, 4, 11, "subject, clip", 0);
+    for (int k = 0; k < RESULTS; k++) sheet_text(cr, (k + 1) * CELL + 4, 11, result_name[k], 0);
     return cr;
-}
-
-static void finish(cairo_t *cr, const char *dir, int number) {
-    char path[512];
-    snprintf(path, sizeof path, "%s/hard-clipper-%d.png", dir, number);
-    if (cairo_surface_write_to_png(cairo_get_target(cr), path) != CAIRO_STATUS_SUCCESS) {
-        perror(path);
-        exit(1);
-    }
-    cairo_destroy(cr);
 }
 
 int main(int argc, char **argv) {
@@ -115,13 +89,13 @@ int main(int argc, char **argv) {
         const double borders = slab_border(&subject.poly) + slab_border(&clip.poly);
         const double y = TEXT + i % ROWS * (CELL + TEXT);
         char name[80];
-        box_t box = {INFINITY, INFINITY, -INFINITY, -INFINITY};
+        sheet_box_t box = {INFINITY, INFINITY, -INFINITY, -INFINITY};
         stretch(&box, &subject.poly), stretch(&box, &clip.poly);
         if (i % ROWS == 0) cr = sheet(count - i < ROWS ? count - i : ROWS);
         draw(cr, 0, y, &box, &subject.poly, fill, red);
         draw(cr, 0, y, &box, &clip.poly, fill, blue);
         snprintf(name, sizeof name, "%d %s", i, hard_pairs_name(i));
-        text(cr, 0, y + CELL + 11, name);
+        sheet_text(cr, 4, y + CELL + 11, name, 0);
         fprintf(md, "| %d | %s | %d | %" PRId64 " | %d |", i, hard_pairs_name(i), (int)(subject.out.n + clip.out.n),
                 one.rounded, one.most_sweeps);
         fprintf(tsv, "%s\t%d\t%" PRId64 "\t%d", hard_pairs_name(i), (int)(subject.out.n + clip.out.n), one.rounded,
@@ -134,7 +108,7 @@ int main(int argc, char **argv) {
             worst = fmax(worst, off);
         }
         fputs("\n", md), fputs("\n", tsv);
-        if (i % ROWS == ROWS - 1 || i == count - 1) finish(cr, argv[1], i / ROWS + 1);
+        if (i % ROWS == ROWS - 1 || i == count - 1) sheet_end(cr, argv[1], "hard-clipper", i / ROWS + 1);
         all.rounded += one.rounded;
         if (one.most_sweeps > all.most_sweeps) all.most_sweeps = one.most_sweeps;
     }

@@ -99,7 +99,7 @@ static void thumbnail(cairo_t *cr, double x, double y, const strokes_t *s, const
     cairo_restore(cr);
 }
 
-static void caption(cairo_t *cr, double x, double y, const char *text, double shade) {
+void sheet_text(cairo_t *cr, double x, double y, const char *text, double shade) {
     cairo_set_source_rgb(cr, shade, 0, 0);
     cairo_set_font_size(cr, 10);
     cairo_move_to(cr, x, y);
@@ -107,10 +107,8 @@ static void caption(cairo_t *cr, double x, double y, const char *text, double sh
     cairo_new_path(cr);
 }
 
-static cairo_t *start(int cases, double zoom) {
-    const int rows = (cases + COLUMNS - 1) / COLUMNS, columns = cases < COLUMNS ? cases : COLUMNS;
-    cairo_surface_t *to = cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)(zoom * columns * 2 * CELL_W),
-                                                     (int)(zoom * rows * (CELL_H + CAPTION)));
+cairo_t *sheet_begin(double zoom, int width, int height) {
+    cairo_surface_t *to = cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)(zoom * width), (int)(zoom * height));
     cairo_t *cr = cairo_create(to);
     cairo_scale(cr, zoom, zoom);
     cairo_surface_destroy(to);
@@ -119,14 +117,19 @@ static cairo_t *start(int cases, double zoom) {
     return cr;
 }
 
-static void end(const sheets_t *s) {
+void sheet_end(cairo_t *cr, const char *dir, const char *name, int number) {
     char path[512];
-    snprintf(path, sizeof path, "%s/%s-%d.png", s->dir, s->name, sheets_count(s->entered));
-    if (cairo_surface_write_to_png(cairo_get_target(s->cr), path) != CAIRO_STATUS_SUCCESS) {
+    snprintf(path, sizeof path, "%s/%s-%d.png", dir, name, number);
+    if (cairo_surface_write_to_png(cairo_get_target(cr), path) != CAIRO_STATUS_SUCCESS) {
         perror(path);
         exit(1);
     }
-    cairo_destroy(s->cr);
+    cairo_destroy(cr);
+}
+
+static cairo_t *start(int cases, double zoom) {
+    const int rows = (cases + COLUMNS - 1) / COLUMNS, columns = cases < COLUMNS ? cases : COLUMNS;
+    return sheet_begin(zoom, columns * 2 * CELL_W, rows * (CELL_H + CAPTION));
 }
 
 void sheets_enter(sheets_t *s, const char *name, const char *naive, const strokes_t *ours, const strokes_t *other,
@@ -145,8 +148,8 @@ void sheets_enter(sheets_t *s, const char *name, const char *naive, const stroke
     strokes_free(&wrong);
     strokes_free(&lacks);
     snprintf(text, sizeof text, "%d %s", s->entered, name);
-    caption(s->cr, x + 4, y + CELL_H + 11, text, 0);
-    caption(s->cr, x + CELL_W + 4, y + CELL_H + 23, naive, .7);
+    sheet_text(s->cr, x + 4, y + CELL_H + 11, text, 0);
+    sheet_text(s->cr, x + CELL_W + 4, y + CELL_H + 23, naive, .7);
     s->entered++;
-    if (at == SHEET_CASES - 1 || left == 1) end(s);
+    if (at == SHEET_CASES - 1 || left == 1) sheet_end(s->cr, s->dir, s->name, sheets_count(s->entered));
 }

@@ -21,6 +21,12 @@ typedef struct strokes {
 void strokes_add(strokes_t *s, double x0, double y0, double x1, double y1);
 void strokes_free(strokes_t *s);
 
+/* A white page, text on it (shade: how red), and the page as DIR/NAME-NUMBER.png, which ends the program if it fails.
+ */
+struct _cairo *sheet_begin(double zoom, int width, int height);
+void sheet_text(struct _cairo *cr, double x, double y, const char *text, double shade);
+void sheet_end(struct _cairo *cr, const char *dir, const char *name, int number);
+
 typedef struct sheets {
     const char *dir, *name; /* DIR/NAME-1.png ... */
     int cases, entered;
