@@ -15,17 +15,10 @@ static double length_mm(const scene_t *s, int family, int line, double from, dou
     double sum = 0;
     for (int k = (int)floor(from); k < to; k++) {
         exact_point_t e[2];
-        double lo = fmax(from - k, 0), hi = fmin(to - k, 1), t0, t1, at[2][2];
+        page_part_t part;
         surface_ref_edge_ends(&s->ref, family, line, k, e);
-        if (!page_view_clip(&s->view, e, &t0, &t1)) continue;
-        double t[2] = {fmax(lo, t0), fmin(hi, t1)};
-        bool seen = t[0] < t[1];
-        for (int i = 0; i < 2 && seen; i++) {
-            exact_point_t p = {e[0].x + t[i] * (e[1].x - e[0].x), e[0].y + t[i] * (e[1].y - e[0].y),
-                               e[0].z + t[i] * (e[1].z - e[0].z)};
-            seen = page_view_point(&s->view, p, &at[i][0], &at[i][1]);
-        }
-        if (seen) sum += hypot(at[1][0] - at[0][0], at[1][1] - at[0][1]);
+        if (!page_view_part(&s->view, e, fmax(from - k, 0), fmin(to - k, 1), &part)) continue;
+        sum += hypot(part.at.x1 - part.at.x0, part.at.y1 - part.at.y0);
     }
     return sum;
 }

@@ -6,35 +6,12 @@
 /* What runs along for less is taken for a crossing. */
 #define LEAST_MM (JUDGE_STEP_MM / 4)
 
-/* A segment on the page, and the depths of its ends: places along it are not in proportion to those in space. */
-typedef struct part {
-    page_line_t at;
-    double from, to; /* of the edge, in space */
-    double depth[2];
-} part_t;
-
 static double mix(double a, double b, double t) {
     return a + t * (b - a);
 }
 
-/* [from, to] of an edge; false if it is not on the page. */
-static bool look(const page_view_t *v, const exact_point_t end[2], double from, double to, part_t *p) {
-    double t0, t1, at[2][2];
-    if (!page_view_clip(v, end, &t0, &t1)) return false;
-    p->from = fmax(from, t0), p->to = fmin(to, t1);
-    if (p->from >= p->to) return false;
-    for (int k = 0; k < 2; k++) {
-        const double t = k ? p->to : p->from, *m = v->m[2];
-        const exact_point_t q = {mix(end[0].x, end[1].x, t), mix(end[0].y, end[1].y, t), mix(end[0].z, end[1].z, t)};
-        if (!page_view_point(v, q, &at[k][0], &at[k][1])) return false;
-        p->depth[k] = m[0] * q.x + m[1] * q.y + m[2] * q.z + m[3];
-    }
-    p->at = (page_line_t){at[0][0], at[0][1], at[1][0], at[1][1]};
-    return true;
-}
-
 /* From a fraction on the page to a place in space. */
-static double in_space(const part_t *p, double u) {
+static double in_space(const page_part_t *p, double u) {
     const double a = u * p->depth[0], b = (1 - u) * p->depth[1];
     return mix(p->from, p->to, a + b > 0 ? a / (a + b) : u);
 }
@@ -43,13 +20,13 @@ void judge_page_fill(judge_page_t *page, const judge_subject_t *what, const page
                      size_t n) {
     spans_t hidden = {0}, either = {0}, seen = {0};
     exact_point_t end[2];
-    part_t p;
+    page_part_t p;
     if (page->known) return;
     page->known = true;
     for (size_t i = 0; i < n; i++)
         for (int k = (int)piece[i].from; k < piece[i].to; k++) {
             what->ends(what->ref, piece[i].family, piece[i].line, k, end);
-            if (look(v, end, fmax(0, piece[i].from - k), fmin(1, piece[i].to - k), &p))
+            if (page_view_part(v, end, fmax(0, piece[i].from - k), fmin(1, piece[i].to - k), &p))
                 page_lines_add(&page->drawn, p.at);
         }
     for (int family = 0; family < 2; family++)
@@ -60,7 +37,8 @@ void judge_page_fill(judge_page_t *page, const judge_subject_t *what, const page
                 what->look(what->ref, family, line, k, &hidden, &either);
                 spans_complement(&hidden, 0, 1, &seen);
                 for (size_t i = 0; i < seen.n; i++)
-                    if (look(v, end, (double)seen.s[i].a, (double)seen.s[i].b, &p)) page_lines_add(&page->seen, p.at);
+                    if (page_view_part(v, end, (double)seen.s[i].a, (double)seen.s[i].b, &p))
+                        page_lines_add(&page->seen, p.at);
             }
     spans_free(&hidden);
     spans_free(&either);
@@ -74,7 +52,7 @@ void judge_page_free(judge_page_t *page) {
 }
 
 /* Takes out what is no longer than a crossing of two lines. */
-static void keep_long(const part_t *p, spans_t *along) {
+static void keep_long(const page_part_t *p, spans_t *along) {
     const double all = hypot(p->at.x1 - p->at.x0, p->at.y1 - p->at.y0);
     size_t k = 0;
     for (size_t i = 0; i < along->n; i++) {
@@ -90,9 +68,9 @@ void judge_page_alone(const judge_subject_t *what, const page_view_t *v, int fam
     for (size_t i = 0; i < part->n; i++)
         for (int k = (int)floorl(part->s[i].a); k < part->s[i].b; k++) {
             exact_point_t end[2];
-            part_t p;
+            page_part_t p;
             what->ends(what->ref, family, line, k, end);
-            if (!look(v, end, (double)(part->s[i].a - k), (double)(part->s[i].b - k), &p)) continue;
+            if (!page_view_part(v, end, (double)(part->s[i].a - k), (double)(part->s[i].b - k), &p)) continue;
             page_lines_along(&p.at, by, JUDGE_ONE_LINE_MM, &along);
             keep_long(&p, &along);
             for (size_t m = 0; m < along.n; m++)

@@ -120,6 +120,21 @@ bool page_view_clip(const page_view_t *v, const exact_point_t end[2], double *t0
     return *t0 < *t1;
 }
 
+static exact_point_t between(const exact_point_t end[2], double t) {
+    return (exact_point_t){end[0].x + t * (end[1].x - end[0].x), end[0].y + t * (end[1].y - end[0].y),
+                           end[0].z + t * (end[1].z - end[0].z)};
+}
+
+bool page_view_part(const page_view_t *v, const exact_point_t end[2], double from, double to, page_part_t *part) {
+    double t0, t1;
+    if (!page_view_clip(v, end, &t0, &t1)) return false;
+    part->from = fmax(from, t0), part->to = fmin(to, t1);
+    if (part->from >= part->to) return false;
+    const exact_point_t p = between(end, part->from), q = between(end, part->to);
+    part->depth[0] = apply(v->m[2], p), part->depth[1] = apply(v->m[2], q);
+    return page_view_point(v, p, &part->at.x0, &part->at.y0) && page_view_point(v, q, &part->at.x1, &part->at.y1);
+}
+
 void page_view_shift(const page_view_t *v, const exact_point_t end[2], double dx, double dy, exact_point_t out[2]) {
     for (int s = 0; s < 2; s++) {
         double e = apply(v->m[2], end[s]), a[3][3], d[3];

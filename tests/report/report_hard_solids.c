@@ -39,15 +39,9 @@ static strokes_t strokes_of(const solid_ref_t *r, const page_view_t *v, const ju
     strokes_t all = {0};
     for (size_t k = 0; k < n; k++) {
         const exact_point_t end[2] = {r->vertex[r->edge[piece[k].line][0]], r->vertex[r->edge[piece[k].line][1]]};
-        double t[2] = {piece[k].from, piece[k].to}, at[2][2], t0, t1;
-        bool seen = page_view_clip(v, end, &t0, &t1);
-        t[0] = fmax(t[0], t0), t[1] = fmin(t[1], t1);
-        for (int i = 0; i < 2 && seen; i++) {
-            const exact_point_t q = {end[0].x + t[i] * (end[1].x - end[0].x), end[0].y + t[i] * (end[1].y - end[0].y),
-                                     end[0].z + t[i] * (end[1].z - end[0].z)};
-            seen = t[0] < t[1] && page_view_point(v, q, &at[i][0], &at[i][1]);
-        }
-        if (seen) strokes_add(&all, at[0][0], at[0][1], at[1][0], at[1][1]);
+        page_part_t part;
+        if (page_view_part(v, end, piece[k].from, piece[k].to, &part))
+            strokes_add(&all, part.at.x0, part.at.y0, part.at.x1, part.at.y1);
     }
     return all;
 }

@@ -170,21 +170,12 @@ static void test_segments(void **state) {
         page_seg_t *seg = malloc((d.n + 1) * sizeof *seg);
         size_t n = 0;
         for (size_t i = 0; i < d.n; i++) {
-            exact_point_t e[2], at[2];
-            double t0, t1;
-            int k = (int)d.p[i].from;
+            exact_point_t e[2];
+            page_part_t part;
+            const int k = (int)d.p[i].from;
             surface_ref_edge_ends(&s.ref, d.p[i].family, d.p[i].line, k, e);
-            if (!page_view_clip(&s.view, e, &t0, &t1)) continue;
-            t0 = fmax(t0, d.p[i].from - k);
-            t1 = fmin(t1, d.p[i].to - k);
-            for (int c = 0; c < 2; c++) {
-                double t = c ? t1 : t0;
-                at[c] = (exact_point_t){e[0].x + t * (e[1].x - e[0].x), e[0].y + t * (e[1].y - e[0].y),
-                                        e[0].z + t * (e[1].z - e[0].z)};
-            }
-            if (t0 < t1 && page_view_point(&s.view, at[0], &seg[n].x0, &seg[n].y0) &&
-                page_view_point(&s.view, at[1], &seg[n].x1, &seg[n].y1))
-                n++;
+            if (page_view_part(&s.view, e, d.p[i].from - k, d.p[i].to - k, &part))
+                seg[n++] = (page_seg_t){part.at.x0, part.at.y0, part.at.x1, part.at.y1};
         }
         judge_seg_report_t rep;
         judge_segments(&what, &s.view, seg, n, &rep);
