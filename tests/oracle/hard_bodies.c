@@ -12,13 +12,9 @@ void hard_polygon(solid_ref_t *r, const double (*p)[3], int n) {
 }
 
 void hard_box(solid_ref_t *r, double x, double y, double z, double a, double b, double c) {
-    static const int side[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     int v[8];
     for (int k = 0; k < 8; k++) v[k] = solid_ref_vertex(r, k & 1 ? x + a : x, k & 2 ? y + b : y, k & 4 ? z + c : z);
-    for (int k = 0; k < 6; k++) {
-        const int f[4] = {v[side[k][0]], v[side[k][1]], v[side[k][2]], v[side[k][3]]};
-        solid_ref_face(r, f, 4);
-    }
+    solid_ref_box(r, v);
 }
 
 void hard_cubes(solid_ref_t *r) {

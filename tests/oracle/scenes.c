@@ -26,6 +26,19 @@ int scene_below(uint64_t *rng, int n) {
     return (int)(next(rng) % (uint64_t)n);
 }
 
+void scene_turn(uint64_t *rng, bool turned, double m[3][3]) {
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++) m[i][k] = i == k;
+    for (int axis = 0; axis < 3 && turned; axis++) {
+        const double a = 6.283185307179586 * scene_uniform(rng), c = cos(a), s = sin(a);
+        for (int k = 0; k < 3; k++) {
+            double *x = &m[axis][k], *y = &m[(axis + 1) % 3][k];
+            const double u = *x, v = *y;
+            *x = c * u - s * v, *y = s * u + c * v;
+        }
+    }
+}
+
 void scene_init(scene_t *s, int nx, int ny) {
     *s = (scene_t){.ref = {.nx = nx, .ny = ny, .eye = {6, 8, 3, 1}}};
     s->ref.x = calloc((size_t)nx, sizeof(double));

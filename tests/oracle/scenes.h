@@ -69,5 +69,7 @@ void scene_shrink(scene_t *s, int (*fails)(void *ctx, const scene_t *s), void *c
 
 double scene_uniform(uint64_t *rng);   /* [0, 1) */
 int scene_below(uint64_t *rng, int n); /* 0 .. n - 1 */
+/* The unit matrix, or turned by any angles. */
+void scene_turn(uint64_t *rng, bool turned, double m[3][3]);
 
 #endif

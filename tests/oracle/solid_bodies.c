@@ -5,16 +5,11 @@
 #include "tests/oracle/solid_scenes.h"
 
 void solid_body_cubes(solid_ref_t *r, int k) {
-    static const int side[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     for (int n = 0; n < k * k; n++) {
         int v[8];
         for (int c = 0; c < 8; c++)
             v[c] = solid_ref_vertex(r, 1.5 * (n % k) + (c & 1), 1.5 * (n / k) + (c >> 1 & 1), c >> 2);
-        for (int f = 0; f < 6; f++) {
-            int w[4];
-            for (int c = 0; c < 4; c++) w[c] = v[side[f][c]];
-            solid_ref_face(r, w, 4);
-        }
+        solid_ref_box(r, v);
     }
 }
 

@@ -21,18 +21,8 @@ static int pick(int n) {
 
 /* Level or upright planes on a lattice, else turned by any angles. */
 static void choose_frame(bool turned) {
-    double(*m)[3] = frame;
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++) m[i][k] = i == k;
-    for (int axis = 0; axis < 3 && turned; axis++) {
-        const double a = uniform(0, FULL_TURN), c = cos(a), s = sin(a);
-        for (int k = 0; k < 3; k++) {
-            double *x = &m[axis][k], *y = &m[(axis + 1) % 3][k];
-            const double u = *x, v = *y;
-            *x = c * u - s * v, *y = s * u + c * v;
-        }
-    }
-    for (int k = 0; k < 3; k++) m[3][k] = 0;
+    scene_turn(&rng, turned, frame);
+    for (int k = 0; k < 3; k++) frame[3][k] = 0;
 }
 
 static int put(solid_ref_t *r, double x, double y, double z) {
@@ -53,11 +43,9 @@ static void rectangle(solid_ref_t *r, double x0, double y0, double x1, double y1
 }
 
 static void box(solid_ref_t *r, double x0, double y0, double z0, double x1, double y1, double z1) {
-    static const int side[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     int v[8];
     for (int k = 0; k < 8; k++) v[k] = put(r, k & 1 ? x1 : x0, k & 2 ? y1 : y0, k & 4 ? z1 : z0);
-    for (int k = 0; k < 6; k++)
-        solid_ref_face(r, (int[]){v[side[k][0]], v[side[k][1]], v[side[k][2]], v[side[k][3]]}, 4);
+    solid_ref_box(r, v);
 }
 
 /* ---- faces with holes ---- */

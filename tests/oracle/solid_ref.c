@@ -65,6 +65,12 @@ void solid_ref_line(solid_ref_t *r, int a, int b) {
     r->line[r->nl++][1] = b;
 }
 
+void solid_ref_box(solid_ref_t *r, const int v[8]) {
+    static const int side[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (int k = 0; k < 6; k++)
+        solid_ref_face(r, (int[]){v[side[k][0]], v[side[k][1]], v[side[k][2]], v[side[k][3]]}, 4);
+}
+
 static bool same(const solid_ref_t *r, int a, int b) {
     return a == b || memcmp(&r->vertex[a], &r->vertex[b], sizeof r->vertex[0]) == 0;
 }

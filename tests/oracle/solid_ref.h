@@ -26,6 +26,8 @@ void solid_ref_free(solid_ref_t *r);
 int solid_ref_vertex(solid_ref_t *r, double x, double y, double z); /* its number */
 void solid_ref_face(solid_ref_t *r, const int *v, int n);
 void solid_ref_line(solid_ref_t *r, int a, int b);
+/* The faces of a box: bit k of a corner's number tells its side along axis k. */
+void solid_ref_box(solid_ref_t *r, const int v[8]);
 /* Finds the edges. */
 void solid_ref_finish(solid_ref_t *r);
 /* The edge between two places that are at most so far from its own; -1 if there is none. *turned: it runs from b to a.

@@ -21,16 +21,7 @@ static int pick(int n) {
 static void choose_turn(void) {
     const bool turned = pick(3) > 0;
     scale = turned ? uniform(.5, 3) : 1;
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++) turn[i][k] = i == k;
-    for (int axis = 0; axis < 3 && turned; axis++) {
-        const double a = uniform(0, FULL_TURN), c = cos(a), s = sin(a);
-        for (int k = 0; k < 3; k++) {
-            double *x = &turn[axis][k], *y = &turn[(axis + 1) % 3][k];
-            const double u = *x, v = *y;
-            *x = c * u - s * v, *y = s * u + c * v;
-        }
-    }
+    scene_turn(&rng, turned, turn);
 }
 
 static int put(solid_ref_t *r, double x, double y, double z) {

@@ -12,6 +12,7 @@
 
 #include "error.h"
 #include "hidden/solid/seams.h"
+#include "tests/oracle/hard_bodies.h"
 #include "tests/oracle/run_cases.h"
 #include "tests/oracle/solid_scenes.h"
 
@@ -167,15 +168,6 @@ static void seams_are_where_faces_meet(void **state) {
     assert_int_equal(failed, 0);
 }
 
-static void box(solid_ref_t *r, double x, double y, double z, double a, double b, double c) {
-    static const int side[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    int v[8];
-    for (int k = 0; k < 8; k++)
-        v[k] = solid_ref_vertex(r, x + (k & 1 ? a : 0), y + (k & 2 ? b : 0), z + (k & 4 ? c : 0));
-    for (int f = 0; f < 6; f++)
-        solid_ref_face(r, (int[]){v[side[f][0]], v[side[f][1]], v[side[f][2]], v[side[f][3]]}, 4);
-}
-
 /* A beam through a cube: two squares. The same flush with its top: without the lines on top, which are edges. Bodies
  * that only touch: nothing. */
 static void boxes_by_hand(void **state) {
@@ -191,8 +183,8 @@ static void boxes_by_hand(void **state) {
     for (size_t k = 0; k < sizeof list / sizeof list[0]; k++) {
         solid_ref_t r = {0};
         int count = 0;
-        box(&r, 0, 0, 0, 1, 1, 1);
-        box(&r, list[k].at[0], list[k].at[1], list[k].at[2], list[k].size[0], list[k].size[1], list[k].size[2]);
+        hard_box(&r, 0, 0, 0, 1, 1, 1);
+        hard_box(&r, list[k].at[0], list[k].at[1], list[k].at[2], list[k].size[0], list[k].size[1], list[k].size[2]);
         const real length = of_seams(&r, &count);
         assert_int_equal(count, list[k].seams);
         assert_true(fabsl(length - list[k].length) < 1e-7L);
