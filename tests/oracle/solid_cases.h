@@ -16,6 +16,12 @@ typedef enum solid_verdict (*solid_judge_t)(void *ctx, const solid_scene_t *s, j
 typedef void (*solid_make_t)(solid_scene_t *s, uint64_t seed, int objects);
 int solid_cases_made(cases_t *c, uint64_t first, uint64_t count, int objects, solid_make_t make, solid_judge_t judge,
                      void *ctx);
+/* The same of seeds that were wrong once, in every round; of none if RIDGELINE_SEED tries one. */
+int solid_cases_once_wrong(cases_t *c, const uint64_t *seed, size_t seeds, int objects, solid_make_t make,
+                           solid_judge_t judge, void *ctx);
+/* Judges by the area sort. Where faces cut through each other, edges may lie in the very lines of the cuts, which are
+ * not drawn: there it is judged that nothing hidden is. cut: an int, counts such scenes; or NULL. */
+enum solid_verdict solid_cases_area(void *cut, const solid_scene_t *s, judge_report_t *r);
 /* Of solid_scene_random. */
 int solid_cases_random(cases_t *c, uint64_t first, uint64_t count, int objects, solid_judge_t judge, void *ctx);
 

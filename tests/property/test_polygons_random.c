@@ -18,16 +18,6 @@ static enum solid_verdict by_convex(void *ctx, const solid_scene_t *s, judge_rep
     return solid_scene_judge(s, r) ? SOLID_GOOD : SOLID_FAILED;
 }
 
-static enum solid_verdict by_area_sort(void *ctx, const solid_scene_t *s, judge_report_t *r) {
-    int *cut = ctx;
-    area_stats_t area = {0};
-    const bool good = solid_scene_judge_area(s, r, &area);
-    *cut += area.intersections > 0;
-    if (good || !area.intersections) return good ? SOLID_GOOD : SOLID_FAILED;
-    r->missing_mm = r->end_steps = 0;
-    return r->false_mm <= CASES_RUN_MM && r->twice_mm <= CASES_TWICE_MM ? SOLID_GOOD : SOLID_FAILED;
-}
-
 static int run(const char *name, uint64_t first, solid_judge_t judge, void *ctx) {
     cases_t c = {.name = name, .program = "test_polygons_random"};
     return solid_cases_made(&c, first, cases_scaled(600), 4, solid_scene_polygons, judge, ctx);
@@ -36,7 +26,7 @@ static int run(const char *name, uint64_t first, solid_judge_t judge, void *ctx)
 static void polygons_area(void **state) {
     (void)state;
     int cut = 0;
-    const int failed = run("polygons, area sort", 0, by_area_sort, &cut);
+    const int failed = run("polygons, area sort", 0, solid_cases_area, &cut);
     print_message("# polygons, area sort: in %d faces cut through each other\n", cut);
     assert_int_equal(failed, 0);
 }
@@ -49,15 +39,10 @@ static void polygons_convex(void **state) {
 static void once_wrong_area(void **state) {
     (void)state;
     static const uint64_t seeds[] = {760, 7421, 8421, 16282};
-    uint64_t only;
-    int cut = 0;
-    for (size_t k = 0; k < sizeof seeds / sizeof *seeds && !cases_only_seed(&only); k++) {
-        solid_scene_t s;
-        judge_report_t r = {0};
-        solid_scene_polygons(&s, seeds[k], 4);
-        assert_int_equal(by_area_sort(&cut, &s, &r), SOLID_GOOD);
-        solid_scene_free(&s);
-    }
+    cases_t c = {.name = "polygons, once wrong", .program = "test_polygons_random"};
+    const int failed = solid_cases_once_wrong(&c, seeds, sizeof seeds / sizeof *seeds, 4, solid_scene_polygons,
+                                              solid_cases_area, NULL);
+    assert_int_equal(failed, 0);
 }
 
 int main(void) {

@@ -17,16 +17,6 @@ static enum solid_verdict by_convex(void *ctx, const solid_scene_t *s, judge_rep
     return solid_scene_judge(s, r) ? SOLID_GOOD : SOLID_FAILED;
 }
 
-/* Where bodies cut into each other on a lattice, edges lie in the very lines of the cuts, which are not drawn. */
-static enum solid_verdict by_area_sort(void *ctx, const solid_scene_t *s, judge_report_t *r) {
-    area_stats_t area = {0};
-    const bool good = solid_scene_judge_area(s, r, &area);
-    (void)ctx;
-    if (good || !area.intersections) return good ? SOLID_GOOD : SOLID_FAILED;
-    r->missing_mm = r->end_steps = 0;
-    return r->false_mm <= CASES_RUN_MM && r->twice_mm <= CASES_TWICE_MM ? SOLID_GOOD : SOLID_FAILED;
-}
-
 static int run(const char *name, uint64_t first, solid_make_t make, solid_judge_t judge) {
     cases_t c = {.name = name, .program = "test_touching_random"};
     return solid_cases_made(&c, first, cases_scaled(600), 5, make, judge, NULL);
@@ -38,7 +28,7 @@ static void touching_convex(void **state) {
 }
 static void touching_area(void **state) {
     (void)state;
-    assert_int_equal(run("touching, area sort", 1000000000, solid_scene_touching, by_area_sort), 0);
+    assert_int_equal(run("touching, area sort", 1000000000, solid_scene_touching, solid_cases_area), 0);
 }
 static void flush_convex(void **state) {
     (void)state;
@@ -46,7 +36,7 @@ static void flush_convex(void **state) {
 }
 static void flush_area(void **state) {
     (void)state;
-    assert_int_equal(run("flush, area sort", 3000000000, solid_scene_flush, by_area_sort), 0);
+    assert_int_equal(run("flush, area sort", 3000000000, solid_scene_flush, solid_cases_area), 0);
 }
 static void close_convex(void **state) {
     (void)state;
@@ -58,14 +48,10 @@ static void close_convex(void **state) {
 static void once_wrong_area(void **state) {
     (void)state;
     static const uint64_t seeds[] = {1000001108, 1000012805, 1000020269, 1000104049, 1000009524, 1000309990};
-    uint64_t only;
-    for (size_t k = 0; k < sizeof seeds / sizeof *seeds && !cases_only_seed(&only); k++) {
-        solid_scene_t s;
-        judge_report_t r = {0};
-        solid_scene_touching(&s, seeds[k], 5);
-        assert_int_equal(by_area_sort(NULL, &s, &r), SOLID_GOOD);
-        solid_scene_free(&s);
-    }
+    cases_t c = {.name = "touching, once wrong", .program = "test_touching_random"};
+    const int failed = solid_cases_once_wrong(&c, seeds, sizeof seeds / sizeof *seeds, 5, solid_scene_touching,
+                                              solid_cases_area, NULL);
+    assert_int_equal(failed, 0);
 }
 
 int main(void) {
