@@ -2,6 +2,7 @@
 #include "tests/oracle/light_ref.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "error.h"
@@ -409,6 +410,19 @@ static void check_borders(const lit_scene_t *c, light_tally_t *n) {
         n->borders += sure;
         n->borders_wrong += sure && !differs;
     }
+}
+
+void light_tally_add(light_tally_t *to, const light_tally_t *n) {
+    to->scenes += n->scenes, to->behind += n->behind, to->left_out += n->left_out;
+    to->errors += n->errors, to->edge_on += n->edge_on;
+    to->places += n->places, to->places_wrong += n->places_wrong;
+    to->borders += n->borders, to->borders_wrong += n->borders_wrong;
+    to->changes += n->changes, to->changes_missed += n->changes_missed;
+}
+
+void light_tally_tell(const light_tally_t *n) {
+    printf("%lld of %lld places, %lld of %lld borders, %lld of %lld changes, %lld errors", n->places_wrong, n->places,
+           n->borders_wrong, n->borders, n->changes_missed, n->changes, n->errors);
 }
 
 bool light_ref_judge(const solid_scene_t *s, uint64_t seed, const light_t *light, int lights, light_tally_t *n) {

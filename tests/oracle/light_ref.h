@@ -15,6 +15,9 @@ typedef struct light_tally {
     long long scenes, behind, left_out, errors, edge_on;
     long long places, places_wrong, borders, borders_wrong, changes, changes_missed;
 } light_tally_t;
+void light_tally_add(light_tally_t *to, const light_tally_t *n);
+/* What is wrong, as part of a line. */
+void light_tally_tell(const light_tally_t *n);
 
 /* Draws the scene with shadows and adds to n what it finds at random places (seed). light NULL: up to four that the
  * seed chooses, grazing ones and lamps among them. Returns whether all was right. */

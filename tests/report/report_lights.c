@@ -99,9 +99,7 @@ int main(int argc, char **argv) {
                 n.places_wrong, n.borders, n.borders_wrong, n.changes, n.changes_missed);
         fprintf(tsv, "%s\t%lld\t%lld\t%lld\t%lld\t%lld\t%lld\n", hard_lights_name(i), n.places, n.places_wrong,
                 n.borders, n.borders_wrong, n.changes, n.changes_missed);
-        all.places += n.places, all.places_wrong += n.places_wrong;
-        all.borders += n.borders, all.borders_wrong += n.borders_wrong;
-        all.changes += n.changes, all.changes_missed += n.changes_missed;
+        light_tally_add(&all, &n);
         for (int k = 0; k < 2; k++) strokes_free(&shown[k]);
         solid_scene_free(&s);
     }
