@@ -37,8 +37,7 @@ static void random_shape(shape_t *s, uint64_t *rng, int lattice, int32_t scale, 
             poly_point_t at = {(x - lattice / 2) * scale, (y - lattice / 2) * scale};
             if (jitter)
                 at.x += scene_below(rng, 2 * jitter + 1) - jitter, at.y += scene_below(rng, 2 * jitter + 1) - jitter;
-            s->v[s->out.n] = (poly_vertex_t){at, s->out.n};
-            s->out.n++;
+            clip_shape_add(s, at.x, at.y);
         }
         clip_shape_close(s);
     }
@@ -82,10 +81,9 @@ static void random_round(shape_t *s, uint64_t *rng, double size) {
     int n = 30 + scene_below(rng, 170), waves = scene_below(rng, 9);
     double depth = scene_below(rng, 100) * .01, turn = scene_below(rng, 100), tall = .1 + scene_below(rng, 20) * .1;
     double x = size * (scene_below(rng, 201) - 100) * .01, y = size * (scene_below(rng, 201) - 100) * .01;
-    for (int i = 0; i < n; i++, s->out.n++) {
+    for (int i = 0; i < n; i++) {
         double a = 2 * 3.14159265358979 * i / n, r = size * (1 + depth * cos(waves * a + turn));
-        poly_point_t at = {(int32_t)lrint(x + r * cos(a + turn)), (int32_t)lrint(y + r * tall * sin(a + turn))};
-        s->v[s->out.n] = (poly_vertex_t){at, s->out.n};
+        clip_shape_add(s, (int32_t)lrint(x + r * cos(a + turn)), (int32_t)lrint(y + r * tall * sin(a + turn)));
     }
     clip_shape_close(s);
 }
@@ -99,11 +97,9 @@ static void refine(shape_t *s, uint64_t *rng) {
         for (int i = first; i < from.end[c]; i++) {
             poly_point_t a = from.v[i].at, b = from.v[i + 1 < from.end[c] ? i + 1 : first].at;
             int pieces = scene_below(rng, 4) == 0 ? 1 : 1 + scene_below(rng, 40);
-            for (int k = 0; k < pieces; k++, s->out.n++) {
-                poly_point_t at = {a.x + (int32_t)lrint((double)(b.x - a.x) * k / pieces),
-                                   a.y + (int32_t)lrint((double)(b.y - a.y) * k / pieces)};
-                s->v[s->out.n] = (poly_vertex_t){at, s->out.n};
-            }
+            for (int k = 0; k < pieces; k++)
+                clip_shape_add(s, a.x + (int32_t)lrint((double)(b.x - a.x) * k / pieces),
+                               a.y + (int32_t)lrint((double)(b.y - a.y) * k / pieces));
         }
         clip_shape_close(s);
     }
