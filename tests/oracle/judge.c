@@ -228,17 +228,22 @@ static bool explained(const line_t *l, long double t, double d) {
     return found;
 }
 
-/* Steps along the line from t to the nearest end of an interval of s: the next one before, or the next one after. */
-static double along(const line_t *l, const spans_t *s, long double t) {
-    long double before = -INFINITY, after = INFINITY;
+/* The next ends of intervals of s, before and after t, if they are nearer than those that are there. */
+static void next_ends(const spans_t *s, long double t, long double *before, long double *after) {
     for (size_t i = 0; i < s->n; i++)
         for (int k = 0; k < 2; k++) {
             long double e = k ? s->s[i].b : s->s[i].a;
             if (e <= t)
-                before = fmaxl(before, e);
+                *before = fmaxl(*before, e);
             else
-                after = fminl(after, e);
+                *after = fminl(*after, e);
         }
+}
+
+/* Steps along the line from t to the nearest end of an interval of s. */
+static double along(const line_t *l, const spans_t *s, long double t) {
+    long double before = -INFINITY, after = INFINITY;
+    next_ends(s, t, &before, &after);
     double d = isfinite(before) ? length(l, before, t) : INFINITY;
     return fmin(d, isfinite(after) ? length(l, t, after) : INFINITY) / STEP;
 }
@@ -249,12 +254,7 @@ static double displaced(const line_t *l, const spans_t *seen, long double t) {
     long double before = 0, after = l->edges;
     spans_t around = {0}, bad = {0}, part = {0};
     double worst = 0;
-    for (size_t i = 0; i < seen->n; i++)
-        for (int k = 0; k < 2; k++) {
-            const long double e = k ? seen->s[i].b : seen->s[i].a;
-            if (e <= t) before = fmaxl(before, e);
-            if (e > t) after = fminl(after, e);
-        }
+    next_ends(seen, t, &before, &after);
     spans_add(&around, before, after);
     for (int is_false = 0; is_false < 2; is_false++) {
         if (is_false) {
