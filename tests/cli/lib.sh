@@ -6,6 +6,9 @@ scenes=$root/tests/scenes
 
 ridgeline() { "$RIDGELINE" "$@"; }
 
+# ours SCRIPT [OUT]: draws a script, within some seconds.
+ours() { timeout 20 "$RIDGELINE" plot "$1" ${2:+-o "$2"}; }
+
 # expect_status N command...: runs the command and wants that exit status.
 expect_status() {
     want=$1
@@ -28,7 +31,7 @@ expect_text() {
 expect_mistakes() {
     while IFS='@' read -r wrong reason; do
         echo "$wrong" >mistake.gp
-        expect_status 2 timeout 20 "$RIDGELINE" plot mistake.gp 2>err
+        expect_status 2 ours mistake.gp 2>err
         expect_text err "$reason"
     done
 }

@@ -2,10 +2,6 @@
 # if, else, do and while, from outside: what gnuplot prints, and errors in the middle of blocks.
 . tests/cli/lib.sh
 
-ours() {
-    timeout 20 "$RIDGELINE" plot "$1" ${2:+-o "$2"}
-}
-
 blocks_do_what_gnuplot_does() {
     cat >a.gp <<'END'
 a = 3

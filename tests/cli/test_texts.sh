@@ -2,10 +2,6 @@
 # Texts that are put together, from outside: what sprintf of gnuplot writes, names of files, titles.
 . tests/cli/lib.sh
 
-ours() {
-    timeout 20 "$RIDGELINE" plot "$1" ${2:+-o "$2"}
-}
-
 # Two thousand conversions; reals have at most 16 digits before and behind the point, since we have 17.
 sprintf_writes_what_gnuplot_writes() {
     awk 'BEGIN {
