@@ -43,7 +43,7 @@ if have cppcheck; then
     cppcheck -q --std=c11 -Isrc -I. -UHELP_PACKED --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
         --suppress=missingIncludeSystem --suppress=internalAstError \
         --suppress=shiftTooManyBitsSigned --suppress=shiftNegativeLHS --suppress=zerodivcond --suppress=objectIndex \
-        --suppress=arrayIndexThenCheck --suppress=uninitvar:src/hidden/bands_add.c \
+        --suppress=arrayIndexThenCheck \
         --suppress=uninitvar:src/hidden/surface/windows_close.c --suppress=uninitvar:src/hidden/surface/edges_windows.c \
         --suppress=uninitvar:src/hidden/area/area_wires.c --suppress=uninitvar:src/hidden/surface/shaded.c \
         --suppress=ctuuninitvar:src/hidden/area/area_place.c $sources
