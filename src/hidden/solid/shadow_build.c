@@ -7,11 +7,16 @@
 #include "num/ints.h"
 #include "view/solid_side.h"
 
+/* Is a side of the face seen, if it is flat? */
+static bool is_seen(const shadows_t *s, int32_t f) {
+    const int32_t is = s->face[f];
+    return is & SHADOW_FRONT || ((is & SHADOW_OPEN) && shadow_side_of(s, f) == SHADOW_AWAY);
+}
+
 /* Does the face, by itself, hide anything? */
 static bool is_part(const shadows_t *s, int32_t f) {
     const int32_t is = s->face[f];
-    if (is & SHADOW_WHOLE) return false;
-    return is & (SHADOW_BENT | SHADOW_FRONT) || ((is & SHADOW_OPEN) && (is & SHADOW_SIDE) == SHADOW_AWAY);
+    return !(is & SHADOW_WHOLE) && (is & SHADOW_BENT || is_seen(s, f));
 }
 
 static inline bool is_outline(const shadows_t *s, const solid_edge_t *e) {
@@ -140,7 +145,7 @@ static int add_bent(filling_t *fill, int32_t f, const solid_normal_t *n, void *s
         const int err = triangulate_seen(solid, f, n, turn_seen, spare, bytes, add_triangle, fill);
         if (err != 1) return err;
     } else {
-        if (shadow_side_of(fill->s, f) != SHADOW_FRONT && !(fill->open && fill->away)) return 0;
+        if (!is_seen(fill->s, f)) return 0;
         fill->flat = n;
         fill->face = f;
     }
