@@ -12,8 +12,12 @@ typedef struct lent {
     bool full;
 } lent_t;
 
+static size_t whole(int64_t n, size_t size) {
+    return ((size_t)n * size + 7) & ~(size_t)7;
+}
+
 static void *take(lent_t *m, int64_t n, size_t size, bool keep) {
-    size_t bytes = ((size_t)n * size + 7) & ~(size_t)7;
+    const size_t bytes = whole(n, size);
     if (m->full || bytes > (size_t)(m->high - m->low)) {
         m->full = true;
         return NULL;
@@ -63,10 +67,6 @@ size_t solid_bytes(const mesh_t *const *mesh, int32_t n) {
     return (size_t)t.vertices * sizeof(solid_vertex_t) + (edges + 2 * details) * sizeof(solid_edge_t) +
            (size_t)t.faces * (sizeof(solid_face_t) + sizeof(solid_object_t) + 8) + (size_t)t.corners * 12 +
            (size_t)t.vertices_most * 4 + slots * 4 + 16 * 8;
-}
-
-static size_t whole(int64_t n, size_t size) { /* as take() does */
-    return ((size_t)n * size + 7) & ~(size_t)7;
 }
 
 size_t solid_bytes_least(const mesh_t *const *mesh, int32_t n) {
