@@ -37,13 +37,26 @@ static bool agrees(const solid_normal_t *a, const solid_normal_t *b) {
     return wide_sign(wide_dot3_s64(a->n, b->n)) >= 0;
 }
 
-bool solid_face_is_flat(const solid_t *s, int32_t face, const solid_normal_t *normal) {
+/* Do all corners of a face lie in a plane? */
+static bool is_in_plane(const solid_t *s, int32_t face, const solid_normal_t *normal, const solid_vertex_t *at) {
     const solid_face_t *f = &s->face[face];
-    const int32_t *c = s->corner + f->corner;
     const wide_t slack = solid_slack(normal);
-    for (int32_t k = 1; k < f->n; k++)
-        if (!is_within(solid_dot(normal, solid_sub(&s->vertex[c[k]], &s->vertex[c[0]])), slack)) return false;
+    for (int32_t k = 0; k < f->n; k++)
+        if (!is_within(solid_dot(normal, solid_sub(&s->vertex[s->corner[f->corner + k]], at)), slack)) return false;
     return true;
+}
+
+static const solid_vertex_t *first_of(const solid_t *s, int32_t face) {
+    return &s->vertex[s->corner[s->face[face].corner]];
+}
+
+bool solid_face_is_flat(const solid_t *s, int32_t face, const solid_normal_t *normal) {
+    return is_in_plane(s, face, normal, first_of(s, face));
+}
+
+bool solid_face_lies_in(const solid_t *s, int32_t face, int32_t of) {
+    const solid_normal_t normal = solid_face_normal(s, of);
+    return is_in_plane(s, face, &normal, first_of(s, of));
 }
 
 /* A quadrilateral, whose normal is the product of its diagonals: its corners are off its plane by turns as much as the

@@ -41,6 +41,8 @@ solid_normal_t solid_face_normal(const solid_t *s, int32_t face);
 void solid_shorten(solid_normal_t *n);
 /* Do all corners lie in a plane within SOLID_FLAT? */
 bool solid_face_is_flat(const solid_t *s, int32_t face, const solid_normal_t *normal);
+/* Do all corners of a face lie in the plane of another, within SOLID_FLAT? */
+bool solid_face_lies_in(const solid_t *s, int32_t face, int32_t of);
 /* Is the face flat within SOLID_FLAT, and its polygon convex? */
 bool solid_face_is_convex(const solid_t *s, int32_t face, const solid_normal_t *normal);
 

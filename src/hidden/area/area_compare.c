@@ -73,7 +73,7 @@ static bool is_shown_in(const area_t *a, int32_t edge, int32_t face) {
             const int32_t f = s->edge[e].face[side];
             if (f < 0) continue;
             const uint8_t state = a->state[f];
-            if ((state == AREA_TAKES_PART || state == AREA_ROUGH) && area_lies_in(s, f, face)) return true;
+            if ((state == AREA_TAKES_PART || state == AREA_ROUGH) && solid_face_lies_in(s, f, face)) return true;
         }
     return false;
 }

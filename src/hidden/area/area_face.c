@@ -189,18 +189,6 @@ static bool has_holes(const solid_t *s, const solid_face_t *f) {
     return false;
 }
 
-bool area_lies_in(const solid_t *s, int32_t face, int32_t of) {
-    const solid_face_t *f = &s->face[face];
-    const solid_normal_t n = solid_face_normal(s, of);
-    const solid_vertex_t *at = &s->vertex[s->corner[s->face[of].corner]];
-    const wide_t slack = solid_slack(&n);
-    for (int32_t k = 0; k < f->n; k++) {
-        const wide_t d = solid_dot(&n, solid_sub(&s->vertex[s->corner[f->corner + k]], at));
-        if (wide_cmp(d, slack) > 0 || wide_cmp(wide_neg(d), slack) > 0) return false;
-    }
-    return true;
-}
-
 /* Is a face no wider than its corners' rounding, or the eye in its plane? Close by that may look like something, which
  * hides nothing. */
 static bool is_line(const solid_map_t *m, int32_t face) {

@@ -50,8 +50,6 @@ typedef struct area_faces {
 
 /* Is the eye on the side of a face from which it runs counter-clockwise, the outer one of a closed object? */
 bool area_looks_at_eye(const solid_map_t *m, int32_t face);
-/* Does a face of the scene lie in the plane of another? */
-bool area_lies_in(const solid_t *s, int32_t face, int32_t of);
 /* Is it turned away from an eye that cannot see it then: one with everything in front of it is outside of all closed
  * objects, and sees their outer sides only? into: translucent faces are looked through, into bodies of which they are
  * a part. */

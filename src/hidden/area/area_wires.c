@@ -5,6 +5,7 @@
 
 #include "error.h"
 #include "num/ints.h"
+#include "scene/solid_math.h"
 
 typedef struct wire {
     area_edge_t line;
@@ -150,7 +151,7 @@ static bool is_edge_on(const solid_t *s, int32_t face, int32_t edge, const uint8
     for (int32_t e = edge; e >= 0; e = s->edge[e].twin)
         for (int side = 0; side < 2; side++) {
             const int32_t other = s->edge[e].face[side];
-            if (other >= 0 && state[other] == AREA_LEFT_OUT && area_lies_in(s, face, other)) return true;
+            if (other >= 0 && state[other] == AREA_LEFT_OUT && solid_face_lies_in(s, face, other)) return true;
         }
     return false;
 }
