@@ -1,6 +1,7 @@
 /* line_space.c - see line_space.h. */
 #include "view/line_space.h"
 
+#include "num/ints.h"
 #include "num/wide.h"
 
 #define CLAMP_LAT 256 /* a rounded cut may fall outside of the window by this much, half a step */
@@ -25,6 +26,12 @@ page_h_t line_space_mix_fine(const page_h_t *a, const page_h_t *b, int64_t s_q46
 
 static inline int64_t div_nearest(int64_t n, int64_t d) {
     return (n + (n < 0 ? -(d >> 1) : d >> 1)) / d;
+}
+
+int64_t line_space_share(int64_t u, int64_t w, int64_t e0, int64_t e1, int64_t way) {
+    while ((e0 | e1) >> 31 != 0) e0 >>= 1, e1 >>= 1;
+    const int64_t before = u * e0, all = before + w * e1;
+    return all == 0 ? 0 : ints_muldiv_round(way, before, all);
 }
 
 page_point_t line_space_divide(const line_space_t *s, const page_h_t *h) {

@@ -46,6 +46,9 @@ page_h_t line_space_mix_fine(const page_h_t *a, const page_h_t *b, int64_t s_q46
 static inline page_h_t line_space_between(uint8_t family, const page_h_t *a, const page_h_t *b, int64_t s) {
     return ink_bits(family) == INK_ONE_BITS ? line_space_mix(a, b, (int32_t)s) : line_space_mix_fine(a, b, s);
 }
+/* Where a line's picture is divided as u to w, u + w <= 2^31: how far along it that is in space, of `way`, if its ends
+ * have e0 and e1, neither negative: way u e0 / (u e0 + w e1). */
+int64_t line_space_share(int64_t u, int64_t w, int64_t e0, int64_t e1, int64_t way);
 /* Divides homogeneous coordinates out, to the nearest lat. h->e > 0. */
 page_point_t line_space_divide(const line_space_t *s, const page_h_t *h);
 /* The page point of a parameter, clamped to the window where a rounded cut fell outside by a hair; false if it is

@@ -78,10 +78,8 @@ static int64_t along(const area_mover_t *mv, const int32_t v[2], poly_point_t p)
     const int64_t share = ints_muldiv_round(INK_ONE, at, size);
     if (share <= 0 || share >= INK_ONE) return share <= 0 ? 0 : INK_ONE;
     if (!mv->from_view->m->lines.perspective) return share;
-    /* as in the picture, to in space */
-    const int64_t near = solid_map_vertex(mv->from_view->m, v[0]).e, far = solid_map_vertex(mv->from_view->m, v[1]).e,
-                  part = ints_muldiv_round(share, near, far);
-    return ints_muldiv_round(INK_ONE, part, part + INK_ONE - share);
+    const int64_t e0 = solid_map_vertex(mv->from_view->m, v[0]).e, e1 = solid_map_vertex(mv->from_view->m, v[1]).e;
+    return line_space_share(share, INK_ONE - share, e0, e1, INK_ONE);
 }
 
 /* The vertex where two edges of the face meet; if they have none in common, as where the corner of a hole touches the

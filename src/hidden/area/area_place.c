@@ -144,13 +144,6 @@ int64_t area_space(const area_lattice_t *l, const area_edge_t *e, int32_t page_q
     int64_t t[2], s = page_q30;
     for (int k = 0; k < 2; k++) t[k] = (e->at[k].t_q60 + (1 << 29)) >> 30;
     if (page_q30 <= 0 || page_q30 >= INK_ONE) return t[page_q30 > 0];
-    if (l->m->lines.perspective) {
-        /* page u, space s: s = u e0 / (u e0 + (1 - u) e1), with e brought below 2^31 */
-        int64_t e0 = e->at[0].e, e1 = e->at[1].e;
-        int shift = 64 - ints_clz64((uint64_t)(e0 | e1)) - 31;
-        if (shift > 0) e0 >>= shift, e1 >>= shift;
-        int64_t far = page_q30 * e0, near = (INK_ONE - page_q30) * e1;
-        s = far + near > 0 ? ints_muldiv_round(INK_ONE, far, far + near) : s;
-    }
+    if (l->m->lines.perspective) s = line_space_share(s, INK_ONE - s, e->at[0].e, e->at[1].e, INK_ONE);
     return t[0] + ((t[1] - t[0]) * s >> 30);
 }

@@ -75,16 +75,12 @@ static halo_point_t point_of(const halo_ink_t *d, const view_t *v, int end) {
     return (halo_point_t){p.x_lat, p.y_lat, (int32_t)z};
 }
 
-/* From a part of the way on the page to the parameter in space: with E at the ends, s = u E0 / (u E0 + (1 - u) E1). */
+/* From a part of the way on the page to the parameter in space. */
 static int64_t in_space(const halo_ink_t *d, const view_t *v, uint32_t u_q30) {
     const int64_t way = v->ink.to - v->ink.from;
     if (u_q30 == INK_ONE) return v->ink.to;
-    if (is_perspective(d) && u_q30 > 0) {
-        int64_t e0 = v->h[0].e, e1 = v->h[1].e; /* below 2^35 */
-        while (e0 >> 31 != 0 || e1 >> 31 != 0) e0 >>= 1, e1 >>= 1;
-        e0 *= u_q30, e1 *= INK_ONE - (int64_t)u_q30;
-        if (e0 + e1 != 0) return v->ink.from + ints_muldiv_round(way, e0, e0 + e1);
-    }
+    if (is_perspective(d))
+        return v->ink.from + line_space_share(u_q30, INK_ONE - (int64_t)u_q30, v->h[0].e, v->h[1].e, way);
     return v->ink.from + ints_muldiv_round(way, u_q30, INK_ONE);
 }
 

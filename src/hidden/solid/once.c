@@ -4,7 +4,6 @@
 #include "error.h"
 #include "hidden/line_class.h"
 #include "num/heap_sort.h"
-#include "num/ints.h"
 
 #define SLIVER_LAT (2 * ONCE_FLAT_LAT) /* what is left over and no longer than this is no ink */
 
@@ -77,15 +76,12 @@ static int emit(const once_t *o, const once_piece_t *p, int32_t u0, int32_t u1) 
     if (!o->map->lines.perspective) h[0].e = h[1].e = 256;
     const bool up = along(&a, p->rank >> 2) <= along(&b, p->rank >> 2);
     const int64_t way = (int64_t)p->u1 - p->u0;
-    /* from the way on the page to that in space: E of 31 bits, lengths up to 2^30 */
-    while ((h[0].e | h[1].e) >> 31 != 0) h[0].e >>= 1, h[1].e >>= 1;
     for (int k = 0; k < 2; k++) {
         const int32_t u = k ? u1 : u0;
         if (u == (k ? p->u1 : p->u0)) continue;
         const int64_t done = up ? (int64_t)u - p->u0 : (int64_t)p->u1 - u;
-        const int64_t e0 = done * h[0].e, e1 = (way - done) * h[1].e;
-        if (e0 + e1 == 0) continue;
-        const int64_t t = p->from_q30 + ints_muldiv_round((int64_t)p->to_q30 - p->from_q30, e0, e0 + e1);
+        const int64_t all = (int64_t)p->to_q30 - p->from_q30;
+        const int64_t t = p->from_q30 + line_space_share(done, way - done, h[0].e, h[1].e, all);
         *((k == 0) == up ? &ink.from : &ink.to) = t;
     }
     if (ink.from >= ink.to) return 0;

@@ -45,9 +45,8 @@ static int sign_of(int64_t turn) {
 
 /* Where on the edge from a to b the place is that divides its picture as p to q, which have one sign. */
 static int64_t place_of(const page_h_t *a, const page_h_t *b, int64_t p, int64_t q) {
-    const int64_t u = ints_muldiv_round(INK_ONE, p, p + q), w = INK_ONE - u;
-    const int64_t near = u * (a->e >> 5), far = w * (b->e >> 5);
-    return near + far > 0 ? ints_muldiv_round(INK_GRID_ONE, near, near + far) : 0;
+    const int64_t u = ints_muldiv_round(INK_ONE, p, p + q);
+    return line_space_share(u, INK_ONE - u, a->e, b->e, INK_GRID_ONE);
 }
 
 /* across: 1 for the cell behind the edge's line, -1 for the one before it. */

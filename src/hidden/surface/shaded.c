@@ -45,10 +45,7 @@ typedef struct crossing {
  * way round. */
 static int32_t share_of(int32_t part_q30, int64_t e0, int64_t e1) {
     if (part_q30 == 0 || part_q30 == ONE_Q30 || e0 == e1) return part_q30;
-    int shift = 64 - ints_clz64((uint64_t)(e0 | e1)) - 31;
-    if (shift > 0) e0 >>= shift, e1 >>= shift;
-    int64_t a = part_q30 * e0, b = (ONE_Q30 - part_q30) * e1;
-    return a + b == 0 ? 0 : (int32_t)ints_muldiv_round(INK_ONE, a, a + b);
+    return (int32_t)line_space_share(part_q30, ONE_Q30 - part_q30, e0, e1, INK_ONE);
 }
 
 typedef struct stretch {
