@@ -13,7 +13,7 @@ typedef struct grid_outline {
 } grid_outline_t;
 
 /* Lets those parts of INK_ROW and INK_COL pieces through, and pieces of other families. o and what it points to outlive
- * the sink. Cost: eight vertices for each edge. */
+ * the sink. Cost: six vertices for each edge. */
 ink_sink_t grid_outline_sink(grid_outline_t *o);
 
 #endif
