@@ -139,7 +139,7 @@ static int port_open(void *ctx, const char *name) {
     if (!f) return ERR_FILE;
     if (solid_file_is(name)) f = solid_file_open(f, name);
     if (!f) return ERR_DATA;
-    setvbuf(f, NULL, _IOFBF, 1 << 16);
+    setvbuf(f, NULL, _IOFBF, CONFIG_READ_CHUNK / 8); /* larger pieces are read where they are wanted */
     struct stat about;
     script.file[handle] = f;
     script.size[handle] = fileno(f) >= 0 && fstat(fileno(f), &about) == 0 && S_ISREG(about.st_mode) ? about.st_size : 0;
@@ -155,11 +155,10 @@ static int port_read(void *ctx, int handle, char *buf, int size) {
     size_t n = fread(buf, 1, (size_t)size, f);
     script.done[handle] += (off_t)n;
     if (script.size[handle]) progress_update("reading", script.done[handle], script.size[handle]);
-    for (size_t k = 0; k < n; k++) { /* lines may end with CR alone */
-        if (buf[k] != '\r') continue;
-        const int next = k + 1 < n ? buf[k + 1] : fgetc(f);
-        if (k + 1 == n && next != EOF) ungetc(next, f);
-        if (next != '\n') buf[k] = '\n';
+    for (char *cr = buf, *end = buf + n; (cr = memchr(cr, '\r', (size_t)(end - cr))) != NULL; cr++) {
+        const int next = cr + 1 < end ? cr[1] : fgetc(f);
+        if (cr + 1 == end && next != EOF) ungetc(next, f);
+        if (next != '\n') *cr = '\n'; /* lines may end with CR alone */
     }
     return n == 0 && ferror(f) ? ERR_FILE : (int)n;
 }

@@ -17,9 +17,10 @@
 #define CONFIG_LOAD_DEPTH 4
 #endif
 
-/* Characters read from a file at a time: one such buffer per level of `load` and one for data (bytes). */
+/* Characters read from a file at a time: one such buffer per level of `load` and one for data (bytes). Large, because
+ * what a piece begins and ends with is read one character at a time (scene/data_plain.h). */
 #ifndef CONFIG_READ_CHUNK
-#define CONFIG_READ_CHUNK 512
+#define CONFIG_READ_CHUNK (CONFIG_64BIT ? 32768 : 512)
 #endif
 
 /* Surfaces or curves in one plot command: about 400 bytes each. */

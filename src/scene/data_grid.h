@@ -44,7 +44,7 @@ typedef struct data_grid {
     data_pool_t *pool;
     packed_t *z;                             /* heights, block after block */
     packed_t *inner, *outer;                 /* coordinates, growing downwards: inner[-1 - k] */
-    int32_t inner_n, outer_n;                /* points per block (once the first is complete), complete blocks */
+    int32_t inner_n, outer_n;                /* points per block (0 until the first is complete), complete blocks */
     int32_t at;                              /* points of the block being read */
     bool inner_is_x, inner_down, outer_down; /* directions: does the coordinate decrease */
     bool oriented;                           /* inner_is_x is known */
@@ -55,6 +55,18 @@ typedef struct data_grid {
 void data_grid_start(data_grid_t *g, data_pool_t *pool);
 /* The next point. Returns 0, ERR_FULL or ERR_DATA; then *trouble says why. */
 int data_grid_point(data_grid_t *g, num_t x, num_t y, num_t z, enum data_grid_trouble *trouble);
+/* The next point, if it is as the first block and the last point tell: the usual one. False: nothing has happened, and
+ * data_grid_point() knows more. */
+static inline bool data_grid_usual(data_grid_t *g, packed_t x, packed_t y, packed_t z) {
+    const packed_t stays = g->inner_is_x ? g->first_y : g->first_x;
+    data_pool_t *pool = g->pool;
+    if (g->at == 0 || g->at >= g->inner_n || (g->inner_is_x ? y : x) != stays ||
+        (g->inner_is_x ? x : y) != g->inner[-1 - g->at] || pool->low >= pool->high)
+        return false;
+    pool->base[pool->low++] = z;
+    g->at++;
+    return true;
+}
 /* The end of a block (a blank line); does nothing between blocks. Errors as above. */
 int data_grid_break(data_grid_t *g, enum data_grid_trouble *trouble);
 /* The end of the data: ends the last block. */

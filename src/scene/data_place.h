@@ -13,6 +13,18 @@ static inline void data_place(const data_spec_t *s, num_t p[3]) {
 }
 #endif
 
+/* Does it do anything? */
+static inline bool data_is_placed(const data_spec_t *s) {
+#if CONFIG_LOGSCALE
+    if (s->log_base) return true;
+#endif
+#if CONFIG_SAMPLED
+    return s->mapping != DATA_CARTESIAN;
+#else
+    return (void)s, false;
+#endif
+}
+
 /* May rows of a surface have two columns? */
 static inline bool data_is_mapped(const data_spec_t *s) {
 #if CONFIG_SAMPLED

@@ -2,6 +2,7 @@
 #include "scene/data_reader.h"
 #include "error.h"
 #include "scene/data_place.h"
+#include "scene/data_plain.h"
 
 void data_spec_default(data_spec_t *spec) {
     *spec = (data_spec_t){.set_step = 1, .last_set = INT32_MAX};
@@ -36,7 +37,7 @@ static int refused(data_reader_t *r, int err, int32_t at) {
     return err;
 }
 
-static bool set_is_wanted(const data_reader_t *r) {
+bool data_set_is_wanted(const data_reader_t *r) {
     const data_spec_t *s = r->spec;
     return r->set >= s->first_set && r->set <= s->last_set && (r->set - s->first_set) % s->set_step == 0;
 }
@@ -85,17 +86,9 @@ static int take(data_reader_t *r, enum step step, const num_t p[3]) {
 }
 #endif
 
-static bool is_scattered(const data_reader_t *r) {
-#if CONFIG_SCATTERED
-    return r->spec->scattered && !r->spec->flat;
-#else
-    return (void)r, false;
-#endif
-}
-
 /* The first point of a data set opens its grid; a curve goes on through all sets. */
 static int open_set(data_reader_t *r) {
-    if (r->set_open || is_scattered(r)) return 0;
+    if (r->set_open || data_is_scattered(r)) return 0;
     if (r->spec->flat && r->grids) {
         r->set_open = true;
         return 0;
@@ -199,10 +192,9 @@ static uint64_t wanted_columns(const data_reader_t *r) {
     return (2u << r->parts) - 2; /* columns 1 to parts */
 }
 
-/* A complete row `x y z`. */
-static int row(data_reader_t *r) {
+int data_row(data_reader_t *r) {
     const data_spec_t *s = r->spec;
-    if (!set_is_wanted(r)) {
+    if (!data_set_is_wanted(r)) {
         r->point++;
         return 0;
     }
@@ -233,7 +225,7 @@ static int end_row(data_reader_t *r) {
     }
     r->blanks = 0;
     if (r->spec->format == DATA_ROWS) {
-        int err = row(r);
+        int err = data_row(r);
         r->is_text = 0;
         return err;
     }
@@ -242,10 +234,9 @@ static int end_row(data_reader_t *r) {
     return was_axis ? 0 : end_block(r);
 }
 
-/* One field of a matrix is one point. */
-static int cell(data_reader_t *r) {
+int data_cell(data_reader_t *r) {
     const field_t *f = &r->field;
-    if (!set_is_wanted(r)) return 0;
+    if (!data_set_is_wanted(r)) return 0;
     if (f->kind == FIELD_TEXT) return refuse(r, DATA_TEXT, f->column);
     int32_t column = f->count - 1;
     if (r->spec->format == DATA_NONUNIFORM) {
@@ -275,7 +266,7 @@ static int cell(data_reader_t *r) {
 
 static int value(data_reader_t *r) {
     const field_t *f = &r->field;
-    if (r->spec->format != DATA_ROWS) return cell(r);
+    if (r->spec->format != DATA_ROWS) return data_cell(r);
     if (f->count > CONFIG_DATA_COLUMNS) return 0;
     uint64_t bit = (uint64_t)1 << f->count;
     r->column_at[f->count] = f->column;
@@ -301,6 +292,10 @@ int data_reader_feed(data_reader_t *r, const char *text, size_t n) {
             r->field.lines++;
         }
     while (!r->stopped) {
+#if CONFIG_64BIT
+        int slow = data_plain(r, &p, end);
+        if (slow) return slow;
+#endif
         enum field_event event = field_next(&r->field, &p, end);
         if (event == FIELD_MORE) break;
         int err = happen(r, event);
@@ -313,7 +308,7 @@ int data_reader_feed(data_reader_t *r, const char *text, size_t n) {
 int data_reader_row(data_reader_t *r, const num_t *v, int32_t n) {
     for (int32_t c = 1; c <= n; c++) r->column[c] = v[c - 1];
     r->field.count = n;
-    return row(r);
+    return data_row(r);
 }
 
 int data_reader_break(data_reader_t *r) {
@@ -332,7 +327,7 @@ int data_reader_finish(data_reader_t *r) {
     if (!err) err = close_set(r);
     if (err) return err;
 #if CONFIG_SCATTERED
-    if (is_scattered(r)) {
+    if (data_is_scattered(r)) {
         if (r->grids == r->grids_max) return refuse(r, DATA_SETS, 0);
         err = scattered_grid(&r->scattered, r->spec->scattered, &r->grid[r->grids]);
         r->grids += !err;

@@ -1,5 +1,6 @@
 /* field.c - the scanner of field.h: one state per place inside a field, kept between chunks. */
 #include "scene/field.h"
+#include "scene/decimal_scan.h"
 
 enum state {
     AT_START,   /* of a line: nothing but blanks so far */
@@ -321,6 +322,38 @@ enum field_event field_next(field_t *f, const char **p, const char *end) {
     }
     return FIELD_MORE;
 }
+
+#if CONFIG_64BIT
+bool field_begins_line(field_t *f) {
+    if (f->state == AT_START && f->at < 0) new_line(f);
+    return f->state == AT_START && f->at == 0;
+}
+
+bool field_plain(field_t *f, const char **p, const char *end) {
+    if (f->state == AT_START && f->at < 0) new_line(f);
+    if (f->state > BETWEEN) return false;
+    const char *start = *p;
+    if (!f->separator)
+        while (start < end && is_blank(*start)) start++;
+    decimal_t d;
+    if (end - start < DECIMAL_SCAN_MARGIN) return false;
+    const char *behind = decimal_scan(start, &d);
+    if (!behind || (*behind != '\n' && !is_separator(f, *behind))) return false;
+    f->kind = FIELD_NUMBER;
+    f->negative = d.negative;
+    f->mantissa = d.mantissa;
+    f->exp10 = d.exp10;
+    f->count++;
+    f->line = f->lines + 1;
+    f->column = f->at + (int32_t)(start - *p) + 1;
+    f->at_separator = f->trailing = false;
+    f->state = BETWEEN;
+    if (*behind != '\n') separates_nothing(f, *behind++);
+    f->at += (int32_t)(behind - *p);
+    *p = behind;
+    return true;
+}
+#endif
 
 enum field_event field_finish(field_t *f) {
     if (f->state == AT_START && f->at <= 0) return FIELD_MORE;

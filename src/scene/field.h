@@ -8,6 +8,7 @@
 #ifndef FIELD_H
 #define FIELD_H
 
+#include "config.h"
 #include "num/num.h"
 #include <stdbool.h>
 #include <stdint.h>
@@ -58,5 +59,12 @@ enum field_event field_next(field_t *f, const char **p, const char *end);
 enum field_event field_finish(field_t *f);
 /* The value of a FIELD_NUMBER; undefined for the other kinds. */
 num_t field_num(const field_t *f);
+#if CONFIG_64BIT
+/* Is the next character the first of a line? */
+bool field_begins_line(field_t *f);
+/* The same as field_next(), sooner, where *p to end begin with a field that is a plain number, and with what shows
+ * where it ends: true for FIELD_VALUE. False: nothing has happened. */
+bool field_plain(field_t *f, const char **p, const char *end);
+#endif
 
 #endif
