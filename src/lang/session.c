@@ -139,8 +139,15 @@ int session_line(session_t *s, const char *text) {
 #endif
     if (s->plot.waiting) {
         bool stopped = false;
-        err = plot_feed(s, text, n, &stopped);
-        if (!err && !stopped) err = plot_feed(s, "\n", 1, &stopped);
+        char *whole = s->frame_chunk[0].bytes; /* no data file is open now */
+        if (CONFIG_64BIT && n < CONFIG_READ_CHUNK) {
+            memcpy(whole, text, n);
+            whole[n] = '\n';
+            err = plot_feed(s, whole, n + 1, &stopped);
+        } else {
+            err = plot_feed(s, text, n, &stopped);
+            if (!err && !stopped) err = plot_feed(s, "\n", 1, &stopped);
+        }
         rows_left = err && !stopped;
 #if CONFIG_LOAD_DEPTH
     } else if (s->in_block) {

@@ -51,28 +51,31 @@ static inline const char *blanks(const char *p, const char *end, char separator)
     return p;
 }
 
-/* One line: its numbers, *n of them. Returns where the next begins, or NULL. */
-static inline const char *line(const char *p, const char *end, char separator, decimal_t *v, int32_t *n) {
+/* The line at p: its numbers, *n of them; what is behind the first `enough` need not be looked at. Returns where the next
+ * begins, or NULL. */
+static inline const char *line(const char *p, data_text_t text, char separator, int32_t enough, decimal_t *v,
+                               int32_t *n) {
     const char comma = separator ? separator : ',';
-    int32_t count = 0;
-    for (;;) {
-        p = blanks(p, end, separator);
-        if (end - p < DECIMAL_SCAN_MARGIN || count == CONFIG_DATA_COLUMNS) return NULL;
+    for (int32_t count = 0;;) {
+        p = blanks(p, text.end, separator);
+        if (text.limit - p < DECIMAL_SCAN_MARGIN || count == CONFIG_DATA_COLUMNS) return NULL;
         p = decimal_scan(p, &v[count++]);
-        if (!p) return NULL;
+        if (!p || p >= text.end) return NULL;
+        const bool ended = *p == comma || (!separator && (*p == ' ' || *p == '\t'));
+        *n = count;
+        if (ended && count == enough) {
+            p = memchr(p, '\n', (size_t)(text.end - p));
+            return p ? p + 1 : NULL;
+        }
         if (*p == comma) {
             p++;
             continue;
         }
-        const char *last = p;
-        if (!separator) p = blanks(p, end, '\0');
-        if (p + 1 < end && *p == '\r' && p[1] == '\n') p++;
-        if (p == end) return NULL;
-        if (*p == '\n') {
-            *n = count;
-            return p + 1;
-        }
-        if (p == last) return NULL;
+        if (!separator) p = blanks(p, text.end, '\0');
+        if (p + 1 < text.end && *p == '\r' && p[1] == '\n') p++;
+        if (p >= text.end) return NULL;
+        if (*p == '\n') return p + 1;
+        if (!ended) return NULL;
     }
 }
 
@@ -85,19 +88,27 @@ static int indirect(data_reader_t *r, const decimal_t *v, int32_t n) {
     return data_row(r);
 }
 
-static int rows(data_reader_t *r, const char **p, const char *end) {
+/* How many columns are to be there: all, if expressions ask for them, or if it is not known yet. */
+static int32_t enough_columns(const data_reader_t *r) {
+    const data_spec_t *s = r->spec;
+    if (!s->parts) return r->parts ? r->parts : CONFIG_DATA_COLUMNS;
+    return s->all || s->wanted == 0 ? CONFIG_DATA_COLUMNS : 63 - ints_clz64(s->wanted);
+}
+
+static int rows(data_reader_t *r, const char **p, data_text_t text) {
     field_t *f = &r->field;
     if (!field_begins_line(f)) return 0;
     decimal_t v[CONFIG_DATA_COLUMNS];
-    int32_t c[3], n;
+    int32_t c[3], n, enough = enough_columns(r);
     bool straight = direct_columns(r, c) && data_set_is_wanted(r);
-    for (const char *next; (next = line(*p, end, f->separator, v, &n)) != NULL; *p = next, f->lines++) {
+    for (const char *next; (next = line(*p, text, f->separator, enough, v, &n)) != NULL; *p = next, f->lines++) {
         r->blanks = 0;
         if (straight && direct(r, c, v, n)) continue;
         f->line = f->lines + 1;
         int err = indirect(r, v, n);
         if (err) return err;
         straight = direct_columns(r, c) && data_set_is_wanted(r);
+        enough = enough_columns(r);
     }
     f->count = 0;
     return 0;
@@ -120,9 +131,9 @@ static bool direct_cell(data_reader_t *r) {
     return true;
 }
 
-static int cells(data_reader_t *r, const char **p, const char *end) {
+static int cells(data_reader_t *r, const char **p, data_text_t text) {
     bool straight = is_direct(r) && !r->spec->parts && data_set_is_wanted(r);
-    while (field_plain(&r->field, p, end)) {
+    while (field_plain(&r->field, p, text.end, text.limit)) {
         if (straight && direct_cell(r)) continue;
         int err = data_cell(r);
         if (err) return err;
@@ -131,8 +142,7 @@ static int cells(data_reader_t *r, const char **p, const char *end) {
     return 0;
 }
 
-int data_plain(data_reader_t *r, const char **p, const char *end) {
-    if (end - *p < DECIMAL_SCAN_MARGIN) return 0;
-    return r->spec->format == DATA_ROWS ? rows(r, p, end) : cells(r, p, end);
+int data_plain(data_reader_t *r, const char **p, data_text_t text) {
+    return r->spec->format == DATA_ROWS ? rows(r, p, text) : cells(r, p, text);
 }
 #endif

@@ -25,9 +25,14 @@ int data_row(data_reader_t *r);
 /* One field of a matrix, which is a point. */
 int data_cell(data_reader_t *r);
 
+/* Characters end at `end`; up to `limit`, which is there or behind, memory can be read. */
+typedef struct data_text {
+    const char *end, *limit;
+} data_text_t;
+
 #if CONFIG_64BIT
-/* Takes what it can of *p to end, or nothing. 0 or an error as data_reader_feed(). */
-int data_plain(data_reader_t *r, const char **p, const char *end);
+/* Takes what it can from *p on, or nothing. 0 or an error as data_reader_feed(). */
+int data_plain(data_reader_t *r, const char **p, data_text_t text);
 #endif
 
 #endif

@@ -3,6 +3,7 @@
 #include "error.h"
 #include "scene/data_place.h"
 #include "scene/data_plain.h"
+#include "scene/decimal_scan.h"
 
 void data_spec_default(data_spec_t *spec) {
     *spec = (data_spec_t){.set_step = 1, .last_set = INT32_MAX};
@@ -284,24 +285,36 @@ static int happen(data_reader_t *r, enum field_event event) {
     return 0;
 }
 
-int data_reader_feed(data_reader_t *r, const char *text, size_t n) {
-    const char *p = text, *end = text + n;
-    while (r->skip > 0 && p < end)
+static int feed(data_reader_t *r, const char *p, data_text_t text) {
+    while (r->skip > 0 && p < text.end)
         if (*p++ == '\n') {
             r->skip--;
             r->field.lines++;
         }
     while (!r->stopped) {
 #if CONFIG_64BIT
-        int slow = data_plain(r, &p, end);
-        if (slow) return slow;
+        int failed = data_plain(r, &p, text);
+        if (failed) return failed;
 #endif
-        enum field_event event = field_next(&r->field, &p, end);
+        enum field_event event = field_next(&r->field, &p, text.end);
         if (event == FIELD_MORE) break;
         int err = happen(r, event);
         if (err) return err;
     }
     return 0;
+}
+
+int data_reader_feed(data_reader_t *r, const char *text, size_t n) {
+#if CONFIG_64BIT
+    /* A line or two: to where the characters behind them can be read. */
+    char copy[256];
+    if (n <= sizeof copy - DECIMAL_SCAN_MARGIN) {
+        memcpy(copy, text, n);
+        memset(copy + n, '\n', DECIMAL_SCAN_MARGIN);
+        return feed(r, copy, (data_text_t){copy + n, copy + n + DECIMAL_SCAN_MARGIN});
+    }
+#endif
+    return feed(r, text, (data_text_t){text + n, text + n});
 }
 
 #if CONFIG_SAMPLED

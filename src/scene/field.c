@@ -329,16 +329,16 @@ bool field_begins_line(field_t *f) {
     return f->state == AT_START && f->at == 0;
 }
 
-bool field_plain(field_t *f, const char **p, const char *end) {
+bool field_plain(field_t *f, const char **p, const char *end, const char *limit) {
     if (f->state == AT_START && f->at < 0) new_line(f);
     if (f->state > BETWEEN) return false;
     const char *start = *p;
     if (!f->separator)
         while (start < end && is_blank(*start)) start++;
     decimal_t d;
-    if (end - start < DECIMAL_SCAN_MARGIN) return false;
+    if (limit - start < DECIMAL_SCAN_MARGIN) return false;
     const char *behind = decimal_scan(start, &d);
-    if (!behind || (*behind != '\n' && !is_separator(f, *behind))) return false;
+    if (!behind || behind >= end || (*behind != '\n' && !is_separator(f, *behind))) return false;
     f->kind = FIELD_NUMBER;
     f->negative = d.negative;
     f->mantissa = d.mantissa;

@@ -63,8 +63,8 @@ num_t field_num(const field_t *f);
 /* Is the next character the first of a line? */
 bool field_begins_line(field_t *f);
 /* The same as field_next(), sooner, where *p to end begin with a field that is a plain number, and with what shows
- * where it ends: true for FIELD_VALUE. False: nothing has happened. */
-bool field_plain(field_t *f, const char **p, const char *end);
+ * where it ends: true for FIELD_VALUE. False: nothing has happened. Up to limit, behind the end, memory can be read. */
+bool field_plain(field_t *f, const char **p, const char *end, const char *limit);
 #endif
 
 #endif

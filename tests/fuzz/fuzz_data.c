@@ -1,4 +1,4 @@
-/* fuzz_data.c - the data reader alone: any bytes, cut anywhere, in every format. */
+/* fuzz_data.c - the data reader alone: any bytes, cut anywhere, in every format; and that it does not matter where. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,13 +14,43 @@ static num_t compute(void *ctx, int32_t part) {
     return num_mul(r->column[1 + part], r->column[CONFIG_DATA_COLUMNS]);
 }
 
+static packed_t memory[POOL];
+static data_grid_t grid[GRIDS];
+static data_reader_t reader;
+static data_curve_t curve;
+static data_pool_t pool;
+
+/* All of it, in pieces. Where there is no error the end is left to the caller. */
+static int feed(const data_spec_t *spec, bool inline_data, size_t room, const uint8_t *data, size_t size,
+                size_t chunk) {
+    pool = (data_pool_t){memory, 0, room};
+    memset(memory, 0, sizeof memory);
+    data_reader_start(&reader, spec, &pool, grid, &curve, GRIDS, inline_data, 0);
+    int err = 0;
+    for (size_t at = 0; !err && at < size; at += chunk)
+        err = data_reader_feed(&reader, (const char *)data + at, size - at < chunk ? size - at : chunk);
+    return err;
+}
+
+/* One character at a time nothing is read as a whole. */
+static int feed_both(const data_spec_t *spec, bool inline_data, size_t room, const uint8_t *data, size_t size,
+                     size_t chunk) {
+    static packed_t words[POOL];
+    const int slow = feed(spec, inline_data, room, data, size, 1);
+    const data_pool_t end = pool;
+    const int32_t line = reader.line, at = reader.at;
+    const enum data_grid_trouble trouble = reader.trouble;
+    memcpy(words, memory, sizeof words);
+    const int err = feed(spec, inline_data, room, data, size, chunk);
+    if (err != slow || pool.low != end.low || pool.high != end.high || memcmp(words, memory, sizeof words) != 0)
+        abort();
+    if (reader.trouble != trouble || reader.line != line || reader.at != at) abort();
+    return err;
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (size < 4) return 0;
-    static packed_t memory[POOL];
-    static data_grid_t grid[GRIDS];
-    static data_reader_t reader;
-    static data_curve_t curve;
-    data_pool_t pool = {memory, 0, data[0] & 1 ? POOL : 16};
+    const size_t room = data[0] & 1 ? POOL : 16;
     data_spec_t spec;
     data_spec_default(&spec);
     spec.format = (enum data_format)(data[0] / 2 % 3);
@@ -46,11 +76,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         spec.first_point = data[2] >> 5 & 1;
     }
     spec.flat = data[0] & 128 && spec.format == DATA_ROWS && spec.parts < 3;
-    data_reader_start(&reader, &spec, &pool, grid, &curve, GRIDS, data[0] & 64, 0);
-    size_t chunk = 1 + data[3] % 32;
-    int err = 0;
-    for (size_t at = 4; !err && at < size; at += chunk)
-        err = data_reader_feed(&reader, (const char *)data + at, size - at < chunk ? size - at : chunk);
+    const size_t chunk = data[3] & 128 ? 1 + data[3] % 32 : 40 + 40 * (size_t)data[3];
+    const int err = feed_both(&spec, data[0] & 64, room, data + 4, size - 4, chunk);
     if (err) {
         if (reader.trouble == DATA_OK || !data_grid_text(reader.trouble) || reader.line < 1) abort();
         return 0;
