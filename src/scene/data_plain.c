@@ -51,8 +51,8 @@ static inline const char *blanks(const char *p, const char *end, char separator)
     return p;
 }
 
-/* The line at p: its numbers, *n of them; what is behind the first `enough` need not be looked at. Returns where the next
- * begins, or NULL. */
+/* The line at p: its numbers, *n of them; what is behind the first `enough` need not be looked at. Returns where the
+ * next begins, or NULL. */
 static inline const char *line(const char *p, data_text_t text, char separator, int32_t enough, decimal_t *v,
                                int32_t *n) {
     const char comma = separator ? separator : ',';
