@@ -112,6 +112,11 @@ static bool make_room(void **array, size_t used, size_t *room, size_t item) {
     return true;
 }
 
+static void hand_on(drawing_t *d) {
+    if (d->points > 0) d->take(d->take_ctx, d->point, d->points);
+    d->points = 0;
+}
+
 static int add_point(drawing_t *d, page_point_t p) {
     if (d->points == d->point_room && !make_room((void **)&d->point, d->points, &d->point_room, sizeof *d->point))
         return ERR_FULL;
@@ -119,23 +124,39 @@ static int add_point(drawing_t *d, page_point_t p) {
     return 0;
 }
 
+void drawing_hand_on(drawing_t *d, drawing_take_t *take, void *ctx) {
+    if (d->take) hand_on(d);
+    d->take = take;
+    d->take_ctx = ctx;
+}
+
 static int sink_move(void *ctx, page_point_t to) {
     drawing_t *d = ctx;
+    if (d->take) hand_on(d);
     d->lifted = true;
     d->over = to;
+    return 0;
+}
+
+static int begin_stroke(drawing_t *d) {
+    if (!d->take) {
+        if (d->strokes == d->stroke_room &&
+            !make_room((void **)&d->first, d->strokes, &d->stroke_room, sizeof *d->first))
+            return ERR_FULL;
+        d->first[d->strokes] = d->points;
+    }
+    int err = add_point(d, d->over);
+    if (err) return err;
+    d->strokes++;
+    d->lifted = false;
     return 0;
 }
 
 static int sink_draw(void *ctx, page_point_t to) {
     drawing_t *d = ctx;
     if (d->lifted) {
-        if (d->strokes == d->stroke_room &&
-            !make_room((void **)&d->first, d->strokes, &d->stroke_room, sizeof *d->first))
-            return ERR_FULL;
-        int err = add_point(d, d->over);
+        int err = begin_stroke(d);
         if (err) return err;
-        d->first[d->strokes++] = d->points - 1;
-        d->lifted = false;
     }
     return add_point(d, to);
 }

@@ -2,7 +2,8 @@
  *
  * A stroke is what the pen draws between lowering and lifting: one point where it goes down, then one or more
  * where it goes to. Points are page lat (src/view/page.h). Costs 8 bytes a point and 8 a stroke; the core
- * itself never holds a drawing, only the host does, because one drawing may become several files. */
+ * itself never holds a drawing, only the host does, because one drawing may become several files. One that becomes a
+ * single file need not be kept: its strokes are handed on as they come. */
 #ifndef DRAWING_H
 #define DRAWING_H
 
@@ -15,6 +16,9 @@
 #define DRAWING_TITLE_MAX 128
 #define DRAWING_CHANGES_MAX 16
 
+/* A stroke of n >= 2 points. */
+typedef void drawing_take_t(void *ctx, const page_point_t *point, size_t n);
+
 typedef struct drawing {
     page_point_t *point; /* of all strokes, in drawing order */
     size_t points, point_room;
@@ -24,9 +28,11 @@ typedef struct drawing {
         size_t stroke; /* from this one on */
         int pen;
     } change[DRAWING_CHANGES_MAX];
-    int changes;                 /* none: pen 1 draws everything */
-    bool lifted;                 /* the pen is up, over: */
-    page_point_t over;           /* where the next stroke begins, if it draws anything */
+    int changes;          /* none: pen 1 draws everything */
+    bool lifted;          /* the pen is up, over: */
+    page_point_t over;    /* where the next stroke begins, if it draws anything */
+    drawing_take_t *take; /* gets the strokes; NULL: they are kept */
+    void *take_ctx;
     double camera_mm[3][4];      /* from (x, y, z, 1) to page mm: x = row 0 / row 2, y = row 1 / row 2 */
     int32_t width_um, height_um; /* of the paper */
     char title[DRAWING_TITLE_MAX];
@@ -53,6 +59,10 @@ void drawing_set_title(drawing_t *d, const char *title);
 /* A sink that appends to d, which must outlive it. A move without a draw after it leaves nothing; a draw to where
  * the pen already is makes a dot. Returns ERR_FULL when the machine has no memory left. */
 pen_sink_t drawing_sink(drawing_t *d);
+
+/* Strokes from now on are handed on when they are over, and only counted here; with NULL they are kept. The one that is
+ * being drawn is over. */
+void drawing_hand_on(drawing_t *d, drawing_take_t *take, void *ctx);
 
 /* Strokes from now on are drawn with this pen, numbered from 1. ERR_FULL after DRAWING_CHANGES_MAX changes. */
 int drawing_take_pen(drawing_t *d, int pen);

@@ -1,11 +1,6 @@
 /* gcode.c - three decimals: a thousandth of a millimetre is a twelfth of a step. */
 #include "host/gcode.h"
 
-#include <stdio.h>
-#include <string.h>
-
-#include "host/out.h"
-
 static char *put_point(char *p, page_point_t at) {
     *p++ = 'X';
     p = out_put_mm3(p, at.x_lat);
@@ -22,37 +17,58 @@ static void write_move(out_t *o, const char *command, page_point_t to) {
     out_commit(o, put_point(p + n, to));
 }
 
-static void pen_command(char *text, size_t room, const char *command, uint32_t delay_us) {
-    if (delay_us)
-        snprintf(text, room, "%s\nG4 P%u.%03u\n", command, delay_us / 1000000, delay_us / 1000 % 1000);
-    else
-        snprintf(text, room, "%s\n", command);
+static void pen_command(out_t *o, const char *command, uint32_t delay_us) {
+    char *p = out_reserve(o, 4 * OUT_NUMBER_MAX);
+    const size_t n = strlen(command);
+    memcpy(p, command, n);
+    p += n;
+    if (delay_us) {
+        memcpy(p, "\nG4 P", 5);
+        p = out_put_u32(p + 5, delay_us / 1000000);
+        *p++ = '.';
+        memcpy(p, out_digits.padded[delay_us / 1000 % 1000], 4);
+        p += 3;
+    }
+    *p++ = '\n';
+    out_commit(o, p);
 }
 
-int gcode_write(const drawing_t *d, const machine_t *m, const char *path) {
-    out_t o;
-    int err = out_open(&o, path);
-    if (err) return err;
-    char down[64], up[64], draw_first[32];
-    pen_command(down, sizeof down, "M3 S1000", m->lower_us);
-    pen_command(up, sizeof up, "M5", m->lift_us);
-    uint32_t feed_um_min = m->draw_speed_um_s < UINT32_MAX / 60 ? m->draw_speed_um_s * 60 : UINT32_MAX;
-    snprintf(draw_first, sizeof draw_first, "G1 F%u ", feed_um_min / 1000);
-    out_text(&o, "; Ridgeline drawing: M3 lowers the pen, M5 lifts it\nG21\nG90\n");
-    out_text(&o, up);
-    int pen = 1;
-    for (size_t s = 0; s < d->strokes; s++) {
-        size_t n;
-        const page_point_t *point = drawing_stroke(d, s, &n);
-        if (drawing_pen(d, s) != pen) {
-            pen = drawing_pen(d, s);
-            out_format(&o, "G0 X0 Y0\nT%d\nM0 ; put pen %d in, then resume\n", pen, pen);
-        }
-        write_move(&o, "G0 ", point[0]);
-        out_text(&o, down);
-        for (size_t i = 1; i < n; i++) write_move(&o, i == 1 ? draw_first : "", point[i]);
-        out_text(&o, up);
-    }
-    out_text(&o, "G0 X0 Y0\nM2\n");
-    return out_close(&o);
+static void lower(text_t *t) {
+    pen_command(&t->out, "M3 S1000", t->machine->lower_us);
 }
+static void lift(text_t *t) {
+    pen_command(&t->out, "M5", t->machine->lift_us);
+}
+
+static void head(text_t *t) {
+    out_text(&t->out, "; Ridgeline drawing: M3 lowers the pen, M5 lifts it\nG21\nG90\n");
+    lift(t);
+}
+
+static void take_pen(text_t *t, int pen) {
+    out_format(&t->out, "G0 X0 Y0\nT%d\nM0 ; put pen %d in, then resume\n", pen, pen);
+}
+
+/* The speed stands in a stroke's first line. */
+static void write_draw(text_t *t, page_point_t to) {
+    const uint32_t um_s = t->machine->draw_speed_um_s, um_min = um_s < UINT32_MAX / 60 ? um_s * 60 : UINT32_MAX;
+    char *p = out_reserve(&t->out, 4 * OUT_NUMBER_MAX);
+    memcpy(p, "G1 F", 4);
+    p = out_put_u32(p + 4, um_min / 1000);
+    *p++ = ' ';
+    out_commit(&t->out, put_point(p, to));
+}
+
+static void stroke(text_t *t, const page_point_t *point, size_t n) {
+    write_move(&t->out, "G0 ", point[0]);
+    lower(t);
+    write_draw(t, point[1]);
+    for (size_t i = 2; i < n; i++) write_move(&t->out, "", point[i]);
+    lift(t);
+}
+
+static void tail(text_t *t) {
+    out_text(&t->out, "G0 X0 Y0\nM2\n");
+}
+
+const text_format_t GCODE_FORMAT = {1, head, take_pen, stroke, tail};

@@ -7,10 +7,8 @@
 #ifndef GCODE_H
 #define GCODE_H
 
-#include "host/drawing.h"
-#include "motion/machine.h"
+#include "host/text.h"
 
-/* 0 or ERR_FILE. */
-int gcode_write(const drawing_t *d, const machine_t *m, const char *path);
+extern const text_format_t GCODE_FORMAT;
 
 #endif

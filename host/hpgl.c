@@ -1,8 +1,6 @@
 /* hpgl.c - rounding is to the nearest unit; the pen's own rounding elsewhere plays no part here. */
 #include "host/hpgl.h"
 
-#include "host/out.h"
-
 enum { UNITS_PER_MM = 40, POINTS_PER_COMMAND = 32 };
 
 typedef struct unit_point {
@@ -23,7 +21,8 @@ static char *put_point(char *p, unit_point_t at) {
     return out_put_int(p, at.y);
 }
 
-static void write_stroke(out_t *o, const page_point_t *point, size_t n) {
+static void stroke(text_t *t, const page_point_t *point, size_t n) {
+    out_t *o = &t->out;
     unit_point_t at = unit_point(point[0]);
     char *p = out_reserve(o, 2 * OUT_NUMBER_MAX + 8);
     *p++ = 'P', *p++ = 'U';
@@ -53,22 +52,17 @@ static void write_stroke(out_t *o, const page_point_t *point, size_t n) {
     if (in_command) out_text(o, ";\n");
 }
 
-int hpgl_write(const drawing_t *d, const char *path) {
-    out_t o;
-    int err = out_open(&o, path);
-    if (err) return err;
-    int pen = 0;
-    out_text(&o, "IN;");
-    if (!d->strokes) out_text(&o, "SP1;\n");
-    for (size_t s = 0; s < d->strokes; s++) {
-        size_t n;
-        const page_point_t *point = drawing_stroke(d, s, &n);
-        if (drawing_pen(d, s) != pen) {
-            pen = drawing_pen(d, s);
-            out_format(&o, "SP%d;\n", pen);
-        }
-        write_stroke(&o, point, n);
-    }
-    out_text(&o, "PU0,0;SP0;\n");
-    return out_close(&o);
+static void head(text_t *t) {
+    out_text(&t->out, "IN;");
 }
+
+static void take_pen(text_t *t, int pen) {
+    out_format(&t->out, "SP%d;\n", pen);
+}
+
+static void tail(text_t *t) {
+    if (!t->pen) take_pen(t, 1); /* no stroke did */
+    out_text(&t->out, "PU0,0;SP0;\n");
+}
+
+const text_format_t HPGL_FORMAT = {0, head, take_pen, stroke, tail};

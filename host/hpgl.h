@@ -6,9 +6,8 @@
 #ifndef HPGL_H
 #define HPGL_H
 
-#include "host/drawing.h"
+#include "host/text.h"
 
-/* 0 or ERR_FILE. */
-int hpgl_write(const drawing_t *d, const char *path);
+extern const text_format_t HPGL_FORMAT;
 
 #endif

@@ -4,11 +4,13 @@
 
 #include <cairo-pdf.h>
 #include <cairo.h>
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 
 #include "error.h"
 #include "host/library.h"
+#include "host/out.h"
 #include "host/progress.h"
 
 #define LINE_WIDTH_MM 0.3
@@ -20,10 +22,10 @@ enum { CHUNK = 256 };
 /* clang-format off */
 #define CAIRO(F) \
     F(cairo_create) F(cairo_destroy) F(cairo_image_surface_create) F(cairo_line_to) F(cairo_move_to) F(cairo_paint) \
-    F(cairo_pdf_surface_create) F(cairo_pdf_surface_set_metadata) F(cairo_scale) F(cairo_set_line_cap) \
+    F(cairo_pdf_surface_create_for_stream) F(cairo_pdf_surface_set_metadata) F(cairo_scale) F(cairo_set_line_cap) \
     F(cairo_set_line_join) F(cairo_set_line_width) F(cairo_set_operator) F(cairo_set_source_rgb) F(cairo_show_page) \
     F(cairo_stroke) F(cairo_surface_destroy) F(cairo_surface_finish) F(cairo_surface_status) \
-    F(cairo_surface_write_to_png) F(cairo_translate)
+    F(cairo_surface_write_to_png_stream) F(cairo_translate)
 /* clang-format on */
 static struct { CAIRO(LIBRARY_POINTER) } lib;
 
@@ -33,6 +35,20 @@ static bool is_there(void) {
     if (!loaded) loaded = library_load("libcairo.so.2", NAMES, sizeof NAMES / sizeof *NAMES, &lib);
     if (!loaded) fprintf(stderr, "ridgeline: .png and .pdf need the Cairo library: %s\n", library_error());
     return loaded;
+}
+
+static out_t out; /* large */
+
+static cairo_status_t take_bytes(void *ctx, const unsigned char *data, unsigned n) {
+    out_bytes(ctx, data, n);
+    return CAIRO_STATUS_SUCCESS; /* what goes wrong is remembered */
+}
+
+static int close_out(cairo_status_t status) {
+    if (status == CAIRO_STATUS_SUCCESS) return out_close(&out);
+    out_drop(&out);
+    errno = status == CAIRO_STATUS_NO_MEMORY ? ENOMEM : 0;
+    return ERR_FILE;
 }
 
 /* ink: how a line changes what is there. */
@@ -86,18 +102,25 @@ int image_write_png(const drawing_t *d, const char *path) {
         lib.cairo_surface_destroy(surface);
         return ERR_VALUE;
     }
+    int err = out_open(&out, path);
+    if (err) {
+        lib.cairo_surface_destroy(surface);
+        return err;
+    }
     cairo_t *c = lib.cairo_create(surface);
     paint(c, d, DOTS_PER_MM, colours ? CAIRO_OPERATOR_OVER : CAIRO_OPERATOR_DEST_OUT);
     lib.cairo_destroy(c);
-    cairo_status_t status = lib.cairo_surface_write_to_png(surface, path);
+    cairo_status_t status = lib.cairo_surface_write_to_png_stream(surface, take_bytes, &out);
     lib.cairo_surface_destroy(surface);
-    return status == CAIRO_STATUS_SUCCESS ? 0 : ERR_FILE;
+    return close_out(status);
 }
 
 int image_write_pdf(const drawing_t *d, const char *path) {
     if (!is_there()) return ERR_UNSUPPORTED;
-    cairo_surface_t *surface =
-        lib.cairo_pdf_surface_create(path, d->width_um / 1000.0 * POINTS_PER_MM, d->height_um / 1000.0 * POINTS_PER_MM);
+    int err = out_open(&out, path);
+    if (err) return err;
+    cairo_surface_t *surface = lib.cairo_pdf_surface_create_for_stream(
+        take_bytes, &out, d->width_um / 1000.0 * POINTS_PER_MM, d->height_um / 1000.0 * POINTS_PER_MM);
     if (d->title[0]) lib.cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, d->title);
     cairo_t *c = lib.cairo_create(surface);
     paint(c, d, POINTS_PER_MM, CAIRO_OPERATOR_OVER);
@@ -106,5 +129,5 @@ int image_write_pdf(const drawing_t *d, const char *path) {
     lib.cairo_surface_finish(surface);
     cairo_status_t status = lib.cairo_surface_status(surface);
     lib.cairo_surface_destroy(surface);
-    return status == CAIRO_STATUS_SUCCESS ? 0 : ERR_FILE;
+    return close_out(status);
 }

@@ -1,5 +1,5 @@
-/* job.c - nothing is written before the whole picture is known to be right: a scene that fails leaves no file behind.
- */
+/* job.c - no file appears or changes before the whole picture is known to be right: a scene that fails leaves nothing
+ * behind. */
 #include "host/job.h"
 
 #include <errno.h>
@@ -10,9 +10,11 @@
 #include <string.h>
 #include <sys/mman.h>
 
+#include "app/picture_pens.h"
 #include "error.h"
 #include "host/plotter.h"
 #include "host/progress.h"
+#include "host/text.h"
 #include "host/writer.h"
 
 #define HUGE_PAGE ((size_t)2 << 20)
@@ -89,7 +91,18 @@ static int on_pen(void *ctx, int number) {
     return drawing_take_pen(&w->job->drawing, number);
 }
 
-/* Draws into memory, with more of it until it is enough. */
+/* Written while it is drawn. */
+static text_t stream;
+
+/* A drawing that becomes one text file need not be in memory, if nobody wants to know more about it. */
+static bool begin_stream(job_t *job, const plot_t *plot, const char *name) {
+    const uint32_t first_pen = 1u << 1;
+    if (job->outputs != 1 || job->table || job->stats || job->gpio.pins || pens_wanted(plot) != first_pen) return false;
+    const text_format_t *format = writer_text(name);
+    return format && text_begin(&stream, format, &job->drawing, &plot->settings->machine, name);
+}
+
+/* Draws into the drawing, with more memory until it is enough. */
 static int draw(job_t *job, const plot_t *plot, picture_t *picture, watch_t *w) {
     picture_hooks_t hooks = {.ctx = w, .progress = on_progress, .begin = on_begin, .pen = on_pen};
     pen_sink_t pen = drawing_sink(&job->drawing);
@@ -107,6 +120,7 @@ static int draw(job_t *job, const plot_t *plot, picture_t *picture, watch_t *w) 
         if (err != ERR_FULL) return err;
         if (bytes >= JOB_LENT_MAX) return no_memory(job, bytes);
         bytes = bytes * 2 < JOB_LENT_MAX ? bytes * 2 : JOB_LENT_MAX;
+        if (job->drawing.take) text_restart(&stream);
     }
 }
 
@@ -120,20 +134,22 @@ static void read_watch(const watch_t *w, report_t *r) {
         }
 }
 
+static int cannot_write(job_t *job, const char *name, int err) {
+    progress_wipe();
+    if (err == ERR_FILE && errno)
+        fprintf(stderr, "ridgeline: %s: %s\n", name, strerror(errno));
+    else
+        fprintf(stderr, "ridgeline: %s: %s\n", name,
+                err == ERR_MACHINE ? "the paper reaches beyond the machine: set paper, or set machine size"
+                                   : error_text(err));
+    return job->trouble = err;
+}
+
 static int write_outputs(job_t *job, const machine_t *machine, char *const *name) {
     for (int i = 0; i < job->outputs; i++) {
         errno = 0;
         int err = writer_write(&job->drawing, machine, name[i]);
-        if (!err) continue;
-        progress_wipe();
-        if (err == ERR_FILE && errno)
-            fprintf(stderr, "ridgeline: %s: %s\n", name[i], strerror(errno));
-        else
-            fprintf(stderr, "ridgeline: %s: %s\n", name[i],
-                    err == ERR_MACHINE ? "the paper reaches beyond the machine: set paper, or set machine size"
-                                       : error_text(err));
-        job->trouble = err;
-        return err;
+        if (err) return cannot_write(job, name[i], err);
     }
     return 0;
 }
@@ -164,9 +180,15 @@ static int draw_page(job_t *job, const plot_t *plot, char **name) {
     d->width_um = settings->paper.width_um;
     d->height_um = settings->paper.height_um;
     drawing_set_title(d, settings->title);
+    if (!make_names(job, job->pages + 1, name)) {
+        fprintf(stderr, "ridgeline: page %d: the name of an output is too long\n", job->pages + 1);
+        return job->trouble = ERR_FILE;
+    }
+    const bool streams = begin_stream(job, plot, name[0]);
     is_to_stop = 0;
     if (setjmp(stopped)) {
         is_drawing = 0;
+        if (streams) text_drop(&stream, d);
         progress_wipe();
         fprintf(stderr, "ridgeline: stopped; nothing was written\n");
         return job->trouble = ERR_STOPPED;
@@ -174,6 +196,7 @@ static int draw_page(job_t *job, const plot_t *plot, char **name) {
     is_drawing = 1;
     int err = draw(job, plot, &picture, &watch);
     is_drawing = 0;
+    if (err && streams) text_drop(&stream, d);
     if (err) return err;
 
     job->pages++;
@@ -181,14 +204,15 @@ static int draw_page(job_t *job, const plot_t *plot, char **name) {
         progress_wipe();
         fprintf(stderr, "ridgeline: page %d is empty: no part of a line is visible and on the paper\n", job->pages);
     }
-    if (!make_names(job, job->pages, name)) {
-        fprintf(stderr, "ridgeline: page %d: the name of an output is too long\n", job->pages);
-        return job->trouble = ERR_FILE;
-    }
     report_t r = {.page = job->pages, .name = job->name, .title = d->title, .file = (const char *const *)name};
     double start = progress_now();
-    err = write_outputs(job, &settings->machine, name);
-    if (err) return err;
+    if (streams) {
+        err = text_end(&stream, d);
+        if (err) return cannot_write(job, name[0], err);
+    } else {
+        err = write_outputs(job, &settings->machine, name);
+        if (err) return err;
+    }
     r.write_s = progress_now() - start;
     if (job->announce)
         for (int i = 0; i < job->outputs; i++) fprintf(job->announce, "%s\n", name[i]);

@@ -1,4 +1,5 @@
-/* job.h - from a plot command to files: draws the picture into memory, then writes every output, then reports.
+/* job.h - from a plot command to files: draws the picture into memory, then writes every output, then reports. Or it
+ * writes the only output while it draws.
  *
  * The picture's working memory is lent from the heap: as much as picture_bytes asks for, and when that was too little,
  * twice that, until JOB_LENT_MAX. */

@@ -1,11 +1,8 @@
 /* plotter.c - motion/ on sim/, fed from memory. */
 #include "host/plotter.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <sys/stat.h>
-
 #include "error.h"
+#include "host/out.h"
 #include "host/play.h"
 #include "host/progress.h"
 #include "sim/sim.h"
@@ -23,27 +20,28 @@ int plotter_estimate(const drawing_t *d, const machine_t *machine, motion_stats_
     return err ? err : play(d, &motion, show, stats);
 }
 
+static int take_bytes(void *ctx, const char *data, size_t bytes) {
+    out_bytes(ctx, data, bytes);
+    return ((out_t *)ctx)->trouble ? ERR_FILE : 0;
+}
+
 int plotter_write_vcd(const drawing_t *d, const machine_t *machine, const char *path) {
     static vcd_t vcd;
+    static out_t out; /* large */
     motion_t motion;
-    FILE *f = fopen(path, "wb");
-    if (!f) return ERR_FILE;
-    setvbuf(f, NULL, _IONBF, 0); /* vcd.h hands over blocks */
+    int err = out_open(&out, path);
+    if (err) return err;
     sim_reset();
-    int err = motion_init(&motion, machine, memory, sizeof memory);
+    err = motion_init(&motion, machine, memory, sizeof memory);
     if (!err) {
-        vcd_begin(&vcd, vcd_write_file, f, machine, d->title[0] ? d->title : NULL, sim_pins());
+        vcd_begin(&vcd, take_bytes, &out, machine, d->title[0] ? d->title : NULL, sim_pins());
         sim_record(vcd_record, &vcd);
         err = play(d, &motion, show, NULL);
         int written = vcd_end(&vcd, sim_now());
         sim_record(NULL, NULL);
         if (!err) err = written;
     }
-    struct stat about;
-    bool is_file = fstat(fileno(f), &about) == 0 && S_ISREG(about.st_mode);
-    if (fclose(f) != 0 && !err) err = ERR_FILE;
-    /* The beginning of a trace would pass for a trace. What is no plain file, such as /dev/null, is not ours to remove.
-     */
-    if (err == ERR_MACHINE && is_file) remove(path);
+    if (!err || err == ERR_FILE) return out_close(&out); /* which says what went wrong with the file */
+    out_drop(&out);
     return err;
 }

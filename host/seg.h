@@ -6,13 +6,12 @@
  * The matrix takes (x, y, z, 1) to (X, Y, E); page mm are X / E and Y / E. Page x is to the right, y up, the origin the
  * lower left corner of the paper. Coordinates have 6 decimals, a sixtieth of the page lattice, so nothing of
  * what the program knows is lost. A segment that starts where the one before ended was drawn without lifting.
- * Written at about 20 ns a line (tests/unit/test_seg.c prints it). */
+ * tests/unit/test_drawing.c prints what a line takes. */
 #ifndef SEG_H
 #define SEG_H
 
-#include "host/drawing.h"
+#include "host/text.h"
 
-/* 0 or ERR_FILE. */
-int seg_write(const drawing_t *d, const char *path);
+extern const text_format_t SEG_FORMAT;
 
 #endif

@@ -87,6 +87,34 @@ static void strokes_are_kept(void **state) {
     drawing_free(&d);
 }
 
+static void take_stroke(void *ctx, const page_point_t *point, size_t n) {
+    pen_sink_t sink = drawing_sink(ctx);
+    sink.move(sink.ctx, point[0]);
+    for (size_t i = 1; i < n; i++) sink.draw(sink.ctx, point[i]);
+}
+
+static void strokes_are_handed_on(void **state) {
+    (void)state;
+    drawing_t kept, passing, got;
+    drawing_init(&kept);
+    drawing_init(&passing);
+    drawing_init(&got);
+    drawing_hand_on(&passing, take_stroke, &got);
+    seed = 7;
+    fill(&kept, 300, 30);
+    seed = 7;
+    fill(&passing, 300, 30);
+    drawing_hand_on(&passing, NULL, NULL); /* the last */
+    assert_int_equal(passing.strokes, 300);
+    assert_int_equal(passing.points, 0);
+    assert_int_equal(got.points, kept.points);
+    assert_memory_equal(got.point, kept.point, kept.points * sizeof *kept.point);
+    assert_memory_equal(got.first, kept.first, kept.strokes * sizeof *kept.first);
+    drawing_free(&kept);
+    drawing_free(&passing);
+    drawing_free(&got);
+}
+
 static void length_counts_travel_from_and_to_the_origin(void **state) {
     (void)state;
     drawing_t d;
@@ -372,6 +400,7 @@ static void pens_are_told_apart(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(strokes_are_kept),
+        cmocka_unit_test(strokes_are_handed_on),
         cmocka_unit_test(length_counts_travel_from_and_to_the_origin),
         cmocka_unit_test(camera_is_kept_in_mm),
         cmocka_unit_test(seg_reads_back_to_the_lat),

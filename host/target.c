@@ -1,0 +1,133 @@
+/* target.c - an unnamed file gets a name by its place in /proc; where a file has the name already, another name first,
+ * which then takes the place of the old one in one step. */
+#define _GNU_SOURCE /* unnamed files, fallocate */
+#include "host/target.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/sendfile.h>
+#include <sys/stat.h>
+#include <sys/statfs.h>
+#include <sys/xattr.h>
+#include <unistd.h>
+
+#include "error.h"
+
+#define AHEAD ((off_t)1 << 20)
+#define TMPFS 0x01021994 /* linux/magic.h: gains nothing, and clears pages twice */
+enum { NAMES_TRIED = 100 };
+
+/* May a new file take its place, and nobody see a difference? */
+static bool can_be_replaced(const char *path, const struct stat *s) {
+    return S_ISREG(s->st_mode) && s->st_nlink == 1 && s->st_uid == geteuid() && access(path, W_OK) == 0 &&
+           listxattr(path, NULL, 0) <= 0;
+}
+
+static int open_beside(const char *path) {
+    char folder[PATH_MAX];
+    const char *slash = strrchr(path, '/');
+    const int n = slash ? (int)(slash - path) + 1 : 2;
+    if ((size_t)n >= sizeof folder) return -1;
+    snprintf(folder, sizeof folder, "%.*s", n, slash ? path : "./");
+    return open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+}
+
+static bool take_over_rights(int fd, const struct stat *old) {
+    struct stat s;
+    if (fstat(fd, &s) != 0) return false;
+    if (s.st_gid != old->st_gid && fchown(fd, (uid_t)-1, old->st_gid) != 0) return false;
+    return ((s.st_mode ^ old->st_mode) & 07777) == 0 || fchmod(fd, old->st_mode & 07777) == 0;
+}
+
+bool target_open_unnamed(target_t *t, const char *path) {
+    struct stat old;
+    struct statfs system;
+    const bool is_there = lstat(path, &old) == 0;
+    if (is_there ? !can_be_replaced(path, &old) : errno != ENOENT) return false;
+    *t = (target_t){.path = path, .fd = open_beside(path), .is_unnamed = true};
+    if (t->fd < 0) return false;
+    if (is_there && !take_over_rights(t->fd, &old)) {
+        target_drop(t);
+        return false;
+    }
+    t->asks_ahead = fstatfs(t->fd, &system) == 0 && system.f_type != TMPFS;
+    return true;
+}
+
+static int open_in_place(const char *path) {
+    return open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+}
+
+int target_open(target_t *t, const char *path) {
+    if (target_open_unnamed(t, path)) return 0;
+    const bool is_there = access(path, F_OK) == 0;
+    *t = (target_t){.path = path, .fd = open_in_place(path), .is_made = !is_there};
+    return t->fd < 0 ? ERR_FILE : 0;
+}
+
+void target_ahead(target_t *t, off_t end) {
+    if (!t->asks_ahead || end <= t->ahead) return;
+    const off_t more = (end - t->ahead + AHEAD - 1) / AHEAD * AHEAD;
+    t->asks_ahead = fallocate(t->fd, 0, t->ahead, more) == 0; /* where it fails, writing may yet do */
+    if (t->asks_ahead) t->ahead += more;
+}
+
+bool target_restart(target_t *t) {
+    t->ahead = 0;
+    return lseek(t->fd, 0, SEEK_SET) == 0 && ftruncate(t->fd, 0) == 0;
+}
+
+static bool give_name(int fd, const char *name) {
+    char itself[32];
+    snprintf(itself, sizeof itself, "/proc/self/fd/%d", fd);
+    return linkat(AT_FDCWD, itself, AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
+}
+
+static bool replace(const target_t *t) {
+    char name[PATH_MAX];
+    for (int k = 0; k < NAMES_TRIED; k++) {
+        const int n = snprintf(name, sizeof name, "%s.%ld-%d", t->path, (long)getpid(), k);
+        if (n < 0 || (size_t)n >= sizeof name) return false;
+        if (give_name(t->fd, name)) {
+            if (rename(name, t->path) == 0) return true;
+            unlink(name);
+            return false;
+        }
+        if (errno != EEXIST) return false;
+    }
+    return false;
+}
+
+/* There is no other way: what is mounted at a name of its own, for example, cannot be replaced. */
+static bool copy_in_place(const target_t *t, off_t length) {
+    off_t at = 0;
+    const int to = open_in_place(t->path);
+    if (to < 0) return false;
+    while (at < length) {
+        const ssize_t n = sendfile(to, t->fd, &at, (size_t)(length - at));
+        if (n == 0 || (n < 0 && errno != EINTR)) break;
+    }
+    return close(to) == 0 && at == length;
+}
+
+int target_keep(target_t *t, off_t length) {
+    bool good = true;
+    if (t->is_unnamed) {
+        good = t->ahead <= length || ftruncate(t->fd, length) == 0;
+        good = good && (give_name(t->fd, t->path) || (errno == EEXIST && replace(t)) || copy_in_place(t, length));
+    }
+    const int trouble = errno;
+    if (close(t->fd) != 0) return ERR_FILE;
+    errno = trouble;
+    return good ? 0 : ERR_FILE;
+}
+
+void target_drop(target_t *t) {
+    const int trouble = errno;
+    if (!t->is_unnamed && ftruncate(t->fd, 0) == 0 && t->is_made) unlink(t->path);
+    close(t->fd);
+    errno = trouble;
+}

@@ -1,0 +1,36 @@
+/* target.h - the file that an output becomes, all at once: what was there before stays until the new one is whole, so
+ * that neither a full disk nor a program that is killed leaves half a drawing, or the beginning of one and the rest of
+ * another.
+ *
+ * The new file has no name until target_keep gives it one: nothing is left behind, whatever happens. What cannot be
+ * replaced is written in place, as every program does it: devices and pipes, what a link leads to, a file of somebody
+ * else's or with more than one name, a folder in which nothing can be made, a file system without unnamed files. */
+#ifndef TARGET_H
+#define TARGET_H
+
+#include <stdbool.h>
+#include <sys/types.h>
+
+typedef struct target {
+    const char *path; /* the caller's, and has to stay */
+    int fd;           /* to be written to */
+    bool is_unnamed;  /* or it is written in place */
+    bool is_made;     /* in place, where nothing was */
+    bool asks_ahead;  /* for disk space, */
+    off_t ahead;      /* and has got so many bytes */
+} target_t;
+
+/* Only an unnamed file; false when there can be none: nothing has been touched then. */
+bool target_open_unnamed(target_t *t, const char *path);
+/* 0, or ERR_FILE with errno set. */
+int target_open(target_t *t, const char *path);
+/* Before bytes that end at `end` are written: asking for much at once takes the system half the time. */
+void target_ahead(target_t *t, off_t end);
+/* An unnamed file is empty again. False with errno set. */
+bool target_restart(target_t *t);
+/* It is whole, and so long. 0, or ERR_FILE with errno set. */
+int target_keep(target_t *t, off_t length);
+/* It is not to be: what was there stays; what was written in place, if it is a plain file, is empty. */
+void target_drop(target_t *t);
+
+#endif
