@@ -26,7 +26,7 @@ static void pen_command(out_t *o, const char *command, uint32_t delay_us) {
         memcpy(p, "\nG4 P", 5);
         p = out_put_u32(p + 5, delay_us / 1000000);
         *p++ = '.';
-        memcpy(p, out_digits.padded[delay_us / 1000 % 1000], 4);
+        memcpy(p, DIGITS[delay_us / 1000 % 1000].padded, 4);
         p += 3;
     }
     *p++ = '\n';

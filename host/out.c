@@ -8,26 +8,7 @@
 
 #include "error.h"
 
-out_digits_t out_digits;
-
-static void make_digits(void) {
-    static bool ready;
-    if (ready) return;
-    ready = true;
-    for (int i = 0; i < 1000; i++) {
-        const char digit[4] = {(char)('0' + i / 100), (char)('0' + i / 10 % 10), (char)('0' + i % 10), 0};
-        const int zeros = i < 10 ? 2 : i < 100 ? 1 : 0;
-        memcpy(out_digits.padded[i], digit, 4);
-        memcpy(out_digits.whole[i], digit + zeros, (size_t)(3 - zeros));
-        out_digits.whole[i][3] = (char)(3 - zeros);
-        out_digits.dotted[i][0] = '.';
-        memcpy(out_digits.dotted[i] + 1, digit, 3);
-        out_digits.kept[i] = digit[2] != '0' ? 4 : digit[1] != '0' ? 3 : digit[0] != '0' ? 2 : 0;
-    }
-}
-
 static void begin(out_t *o) {
-    make_digits();
     o->trouble = 0;
     o->used = 0;
     o->written = 0;
@@ -115,7 +96,7 @@ void out_format(out_t *o, const char *format, ...) {
 char *out_put_u32(char *p, uint32_t v) {
     char rest[12];
     size_t n = 0;
-    for (; v >= 1000; v /= 1000, n += 3) memcpy(rest + n, out_digits.padded[v % 1000], 4); /* three times at the most */
+    for (; v >= 1000; v /= 1000, n += 3) memcpy(rest + n, DIGITS[v % 1000].padded, 4); /* three times at the most */
     p = out_put_whole3(p, v);
     for (; n > 0; n -= 3, p += 3) memcpy(p, rest + n - 3, 4);
     return p;

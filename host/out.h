@@ -10,6 +10,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "host/digits.h"
 #include "host/target.h"
 #include "view/page.h"
 
@@ -53,20 +54,11 @@ static inline void out_commit(out_t *o, const char *end) {
     o->used = (size_t)(end - o->buffer);
 }
 
-/* By three digits of a number, ready after the first out_open. */
-typedef struct out_digits {
-    char padded[1000][4]; /* "000" ... "999" and a zero byte */
-    char whole[1000][4];  /* "0" ... "999", and in the fourth byte how many digits that are */
-    char dotted[1000][4]; /* ".000" ... ".999" */
-    char kept[1000];      /* how much of dotted[] is left without zeros at its end */
-} out_digits_t;
-extern out_digits_t out_digits;
-
 /* Put a number at p and return where it ends; at most OUT_NUMBER_MAX bytes, no final zero byte. No branch that is
  * guessed wrong: on a page most numbers have three digits, two or one before the point. */
 static inline char *out_put_whole3(char *p, uint32_t v) {
-    memcpy(p, out_digits.whole[v], 4);
-    return p + out_digits.whole[v][3];
+    memcpy(p, DIGITS[v].whole, 4);
+    return p + DIGITS[v].whole[3];
 }
 char *out_put_u32(char *p, uint32_t v);
 char *out_put_int(char *p, int32_t v);
@@ -83,8 +75,8 @@ static inline char *out_put_mm6(char *p, int32_t lat) {
     if (lat < 0) *p++ = '-';
     p = out_put_above_mm(p, u >> LAT_PER_MM_BITS);
     const uint32_t micro = (uint32_t)(((uint64_t)(u & (LAT_PER_MM - 1)) * 1000000 + LAT_PER_MM / 2) >> LAT_PER_MM_BITS);
-    memcpy(p, out_digits.dotted[micro / 1000], 4);
-    memcpy(p + 4, out_digits.padded[micro % 1000], 4);
+    memcpy(p, DIGITS[micro / 1000].dotted, 4);
+    memcpy(p + 4, DIGITS[micro % 1000].padded, 4);
     return p + 7;
 }
 
@@ -94,8 +86,8 @@ static inline char *out_put_mm3(char *p, int32_t lat) {
     const uint64_t um = ((uint64_t)u * 1000 + LAT_PER_MM / 2) >> LAT_PER_MM_BITS;
     if (lat < 0 && um) *p++ = '-';
     p = out_put_above_mm(p, (uint32_t)(um / 1000));
-    memcpy(p, out_digits.dotted[um % 1000], 4);
-    return p + out_digits.kept[um % 1000];
+    memcpy(p, DIGITS[um % 1000].dotted, 4);
+    return p + DIGITS[um % 1000].kept[0];
 }
 
 #endif

@@ -44,16 +44,15 @@ static bool take_over_rights(int fd, const struct stat *old) {
 
 bool target_open_unnamed(target_t *t, const char *path) {
     struct stat old;
-    struct statfs system;
     const bool is_there = lstat(path, &old) == 0;
     if (is_there ? !can_be_replaced(path, &old) : errno != ENOENT) return false;
-    *t = (target_t){.path = path, .fd = open_beside(path), .is_unnamed = true};
+    *t = (target_t){.path = path, .fd = open_beside(path), .is_unnamed = true, .is_new = !is_there};
     if (t->fd < 0) return false;
     if (is_there && !take_over_rights(t->fd, &old)) {
         target_drop(t);
         return false;
     }
-    t->asks_ahead = fstatfs(t->fd, &system) == 0 && system.f_type != TMPFS;
+    t->asks_ahead = true;
     return true;
 }
 
@@ -64,15 +63,20 @@ static int open_in_place(const char *path) {
 int target_open(target_t *t, const char *path) {
     if (target_open_unnamed(t, path)) return 0;
     const bool is_there = access(path, F_OK) == 0;
-    *t = (target_t){.path = path, .fd = open_in_place(path), .is_made = !is_there};
+    *t = (target_t){.path = path, .fd = open_in_place(path), .is_new = !is_there};
     return t->fd < 0 ? ERR_FILE : 0;
+}
+
+static bool is_tmpfs(int fd) {
+    struct statfs system;
+    return fstatfs(fd, &system) == 0 && system.f_type == TMPFS;
 }
 
 void target_ahead(target_t *t, off_t end) {
     if (!t->asks_ahead || end <= t->ahead) return;
     const off_t more = (end - t->ahead + AHEAD - 1) / AHEAD * AHEAD;
-    t->asks_ahead = fallocate(t->fd, 0, t->ahead, more) == 0; /* where it fails, writing may yet do */
-    if (t->asks_ahead) t->ahead += more;
+    t->asks_ahead = (t->ahead > 0 || !is_tmpfs(t->fd)) && fallocate(t->fd, 0, t->ahead, more) == 0;
+    if (t->asks_ahead) t->ahead += more; /* where it fails, writing may yet do */
 }
 
 bool target_restart(target_t *t) {
@@ -86,16 +90,21 @@ static bool give_name(int fd, const char *name) {
     return linkat(AT_FDCWD, itself, AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
 }
 
+/* Two files change their names, and the old one goes. ext4 takes that for less than a rename, which makes it write the
+ * new file to the disk at once; where a file system cannot do it, a rename has to do. */
+static bool change_places(const char *name, const char *path) {
+    if (renameat2(AT_FDCWD, name, AT_FDCWD, path, RENAME_EXCHANGE) == 0) return unlink(name) == 0;
+    if (rename(name, path) == 0) return true;
+    unlink(name);
+    return false;
+}
+
 static bool replace(const target_t *t) {
     char name[PATH_MAX];
     for (int k = 0; k < NAMES_TRIED; k++) {
         const int n = snprintf(name, sizeof name, "%s.%ld-%d", t->path, (long)getpid(), k);
         if (n < 0 || (size_t)n >= sizeof name) return false;
-        if (give_name(t->fd, name)) {
-            if (rename(name, t->path) == 0) return true;
-            unlink(name);
-            return false;
-        }
+        if (give_name(t->fd, name)) return change_places(name, t->path);
         if (errno != EEXIST) return false;
     }
     return false;
@@ -117,7 +126,7 @@ int target_keep(target_t *t, off_t length) {
     bool good = true;
     if (t->is_unnamed) {
         good = t->ahead <= length || ftruncate(t->fd, length) == 0;
-        good = good && (give_name(t->fd, t->path) || (errno == EEXIST && replace(t)) || copy_in_place(t, length));
+        good = good && ((t->is_new && give_name(t->fd, t->path)) || replace(t) || copy_in_place(t, length));
     }
     const int trouble = errno;
     if (close(t->fd) != 0) return ERR_FILE;
@@ -127,7 +136,7 @@ int target_keep(target_t *t, off_t length) {
 
 void target_drop(target_t *t) {
     const int trouble = errno;
-    if (!t->is_unnamed && ftruncate(t->fd, 0) == 0 && t->is_made) unlink(t->path);
+    if (!t->is_unnamed && ftruncate(t->fd, 0) == 0 && t->is_new) unlink(t->path);
     close(t->fd);
     errno = trouble;
 }

@@ -15,7 +15,7 @@ typedef struct target {
     const char *path; /* the caller's, and has to stay */
     int fd;           /* to be written to */
     bool is_unnamed;  /* or it is written in place */
-    bool is_made;     /* in place, where nothing was */
+    bool is_new;      /* nothing was there */
     bool asks_ahead;  /* for disk space, */
     off_t ahead;      /* and has got so many bytes */
 } target_t;
