@@ -2,8 +2,8 @@
 #include "path/chain.h"
 #include "path/census.h"
 #include "path/dist.h"
+#include "path/places.h"
 
-#define CLUSTER_MAX 8  /* ends that are paired together: a grid node has four */
 #define SCAN_MAX 256   /* ends looked at in one bucket; more only where thousands crowd: then any will do */
 #define CELL_BITS 4    /* a cell is at least 2^4 tolerances wide, so most queries see a single cell */
 #define CENSUS_FINER 3 /* the census counts in cells so many times halved: two tolerances wide at the least */
@@ -11,6 +11,7 @@
  * full would touch memory that nothing else needs. */
 #define ROOM_PART 8
 #define ROOM_MORE 1024
+#define MANY_ROOM_PART 32
 #define NOBODY (-1) /* in a bucket */
 #define NOBODY_ASKS (-2)
 #define ASKED_CROWD 8   /* free ends to a bucket when few of them are asked for */
@@ -55,8 +56,11 @@ static cells_t cells_near(const chain_t *c, page_point_t p) {
 }
 
 void chain_enter(chain_t *c, int32_t e, page_point_t p) {
-    int32_t *head = bucket_of(c, p);
     c->point[e] = p;
+#if CONFIG_MANY_STROKES
+    if (c->places) return; /* there it is already */
+#endif
+    int32_t *head = bucket_of(c, p);
     c->next[e] = *head;
     *head = e;
 }
@@ -87,11 +91,34 @@ void chain_ask_end(chain_t *c) {
     }
 }
 
-int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near_lat) {
-    int32_t lost = 0;
+/* Are there so many runs, and memory, that all ends can be sorted by their places? Then links, points and all else
+ * lie right behind the runs. */
+static bool lay_out_many(chain_t *c) {
+#if CONFIG_MANY_STROKES
+    pool_t *const pool = c->pool;
+    const int64_t n = pool->n, room = n + n / MANY_ROOM_PART + ROOM_MORE, plain = room / 32 + 1;
+    const int64_t run = sizeof(run_t) / 4, all = pool_end(pool) - (uint32_t *)(void *)pool->run;
+    const int64_t words = (run + 6) * room + 6 + plain; /* with links and points, and the pen's */
+    if (n < CHAIN_MANY || words + CHAIN_BEHIND_WORDS(n) > all) return false;
+    c->room = (int32_t)room;
+    pool->mate = (int32_t *)(void *)(pool->run + room);
+    c->point = (page_point_t *)(void *)(pool->mate + 2 * room + 2);
+    c->plain = (uint32_t *)(void *)(c->point + 2 * room + 2);
+    c->behind = (int32_t *)(void *)(c->plain + plain);
+    c->box = (near_extent_t){INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN, 0};
+    for (int64_t k = 0; k < plain; k++) c->plain[k] = 0;
+    return true;
+#else
+    (void)c;
+    return false;
+#endif
+}
+
+static void lay_out(chain_t *c) {
+    pool_t *const pool = c->pool;
     const int64_t room = (int64_t)pool->n + pool->n / ROOM_PART + ROOM_MORE;
-    *c = (chain_t){.pool = pool, .map = map, .near_lat = near_lat};
     c->room = room < pool->cap ? (int32_t)room : pool->cap + 1;
+    pool->mate = pool_own_mate(pool);
     c->point = (page_point_t *)(void *)pool->work;
     c->next = (int32_t *)(void *)(c->point + 2 * c->room);
     c->head = c->next + 2 * c->room;
@@ -100,7 +127,25 @@ int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near
     if (pool->n >= FEW_RUNS && used <= ((int64_t)pool->cap + 1) * (POOL_WORK_PER_RUN / 4))
         c->few = c->head + 2 * c->room;
 #endif
+}
+
+/* The run r has been placed. */
+static inline void note(chain_t *c, int32_t r) {
+#if CONFIG_MANY_STROKES
+    if (!c->plain) return;
+    c->plain[r / 32] |= (uint32_t)run_is_plain(&c->pool->run[r]) << r % 32;
+    near_include(&c->box, c->point[2 * r]);
+    near_include(&c->box, c->point[2 * r + 1]);
+#else
+    (void)c, (void)r;
+#endif
+}
+
+int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near_lat) {
+    int32_t lost = 0;
+    *c = (chain_t){.pool = pool, .map = map, .near_lat = near_lat};
     while (near_lat << CELL_BITS > 1 << c->shift) c->shift++;
+    if (!lay_out_many(c)) lay_out(c);
     for (int32_t r = 0; r < pool->n; r++) {
         page_point_t *p = &c->point[2 * r];
         pool_tick(pool);
@@ -108,6 +153,7 @@ int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near
             pool->run[r] = pool->run[--pool->n];
             lost++;
         }
+        if (r < pool->n) note(c, r);
     }
     return lost;
 }
@@ -158,13 +204,19 @@ static int32_t enter_all(chain_t *c) {
     return ends;
 }
 
-static bool is_near(const chain_t *c, page_point_t a, page_point_t b) {
-    int64_t dx = (int64_t)a.x_lat - b.x_lat, dy = (int64_t)a.y_lat - b.y_lat;
-    if (dx > c->near_lat || dx < -c->near_lat || dy > c->near_lat || dy < -c->near_lat) return false;
-    return dx * dx + dy * dy <= (int64_t)c->near_lat * c->near_lat;
+#if CONFIG_MANY_STROKES
+static int free_in_places(const places_t *places, page_point_t p, int32_t *out, int max) {
+    uint32_t at[CHAIN_CLUSTER];
+    const int n = places_near(places, p, at, max);
+    for (int k = 0; k < n; k++) out[k] = places->now.place[at[k]].end;
+    return n;
 }
+#endif
 
 int chain_free_ends(const chain_t *c, page_point_t p, int32_t *out, int max) {
+#if CONFIG_MANY_STROKES
+    if (c->places) return free_in_places(c->places, p, out, max);
+#endif
     const cells_t near = cells_near(c, p);
     int n = 0;
     for (int32_t y = near.y0; y <= near.y1; y++) {
@@ -178,7 +230,7 @@ int chain_free_ends(const chain_t *c, page_point_t p, int32_t *out, int max) {
                     continue;
                 }
                 bool here = c->point[e].x_lat >> c->shift == x && c->point[e].y_lat >> c->shift == y;
-                if (here && is_near(c, c->point[e], p) && n < max) out[n++] = e;
+                if (here && chain_is_near(c, c->point[e], p) && n < max) out[n++] = e;
                 link = &c->next[e];
             }
         }
@@ -250,7 +302,7 @@ static int pair_lines(chain_t *c, int32_t *end, int n) {
 
 /* Pairs the ends of a cluster, straightest first. */
 static void pair_straight(chain_t *c, int32_t *end, int n) {
-    int32_t v[CLUSTER_MAX][2];
+    int32_t v[CHAIN_CLUSTER][2];
     for (int i = 0; i < n; i++) direction(c, end[i], v[i]);
     for (;;) {
         int32_t best = INT32_MIN;
@@ -268,7 +320,7 @@ static void pair_straight(chain_t *c, int32_t *end, int n) {
     }
 }
 
-static void pair_here(chain_t *c, int32_t *cluster, int n) {
+void chain_pair_cluster(chain_t *c, int32_t *cluster, int n) {
     if (n > 2) n = pair_lines(c, cluster, n);
     if (n == 2 && cluster[0] != pool_other_end(cluster[1])) link_ends(c->pool, cluster[0], cluster[1]);
     if (n > 2) pair_straight(c, cluster, n);
@@ -293,14 +345,14 @@ void chain_pair(chain_t *c) {
     const int32_t ends = enter_all(c);
     for (int32_t p = 0; p < ends; p++) {
         const int32_t e = end_of(few_of(c), p);
-        int32_t cluster[CLUSTER_MAX];
+        int32_t cluster[CHAIN_CLUSTER];
         if (p % 16 == 0) pool_tick(c->pool);
         fetch_ahead(c, p, ends);
         if (c->pool->mate[e] != FREE) continue;
-        int n = chain_free_ends(c, c->point[e], cluster, CLUSTER_MAX), k = 0;
+        int n = chain_free_ends(c, c->point[e], cluster, CHAIN_CLUSTER), k = 0;
         while (k < n && cluster[k] != e) k++;
-        if (k == n) cluster[n < CLUSTER_MAX ? n++ : n - 1] = e; /* in a crowd it may not be found: its turn is now */
-        pair_here(c, cluster, n);
+        if (k == n) cluster[n < CHAIN_CLUSTER ? n++ : n - 1] = e; /* in a crowd it may not be found: its turn is now */
+        chain_pair_cluster(c, cluster, n);
     }
 }
 

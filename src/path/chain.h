@@ -9,7 +9,12 @@
 #ifndef CHAIN_H
 #define CHAIN_H
 
+#include "path/near.h"
 #include "path/pool.h"
+
+#define CHAIN_CLUSTER 8  /* ends that are paired together: a grid node has four */
+#define CHAIN_MANY 65536 /* runs whose ends are sorted by their places (places.h), if there is memory */
+#define CHAIN_BEHIND_WORDS(runs) (7 * (2 * (runs) + 2) + 3)
 
 typedef struct chain {
     pool_t *pool;
@@ -22,6 +27,12 @@ typedef struct chain {
     int32_t *head;       /* buckets */
     uint32_t mask;       /* buckets - 1 */
     int shift;           /* page cells are 2^shift lat wide */
+#if CONFIG_MANY_STROKES
+    near_extent_t box;           /* of all ends; of very many only, as the next two */
+    uint32_t *plain;             /* a bit for each run: it has no vertex between its ends; or NULL */
+    int32_t *behind;             /* CHAIN_BEHIND_WORDS or more for what sorts them */
+    const struct places *places; /* where free ends are looked for, or NULL */
+#endif
 #if CONFIG_FETCH
     int32_t *few; /* ends that may have a neighbour, while they are paired; or NULL */
 #endif
@@ -32,6 +43,8 @@ typedef struct chain {
 int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near_lat);
 /* Pairs ends: fills pool->mate; free ends are negative until chain_close says more. */
 void chain_pair(chain_t *c);
+/* Pairs the ends of a cluster, straightest first; `end` is overwritten. */
+void chain_pair_cluster(chain_t *c, int32_t *end, int n);
 /* Links the two free ends of every stroke, and marks the runs of open strokes RUN_SEEN that have no free end. Returns
  * the number of open strokes. */
 int32_t chain_close(chain_t *c);
@@ -39,6 +52,18 @@ int32_t chain_close(chain_t *c);
 static inline bool chain_is_closed(const pool_t *p, int32_t r) {
     return p->mate[2 * r] >= 0 && p->mate[2 * r + 1] >= 0 && !(p->run[r].to_hi & RUN_SEEN);
 }
+
+static inline bool chain_is_near(const chain_t *c, page_point_t a, page_point_t b) {
+    int64_t dx = (int64_t)a.x_lat - b.x_lat, dy = (int64_t)a.y_lat - b.y_lat;
+    if (dx > c->near_lat || dx < -c->near_lat || dy > c->near_lat || dy < -c->near_lat) return false;
+    return dx * dx + dy * dy <= (int64_t)c->near_lat * c->near_lat;
+}
+
+#if CONFIG_MANY_STROKES
+static inline bool chain_is_plain(const chain_t *c, int32_t r) {
+    return c->plain[r / 32] >> r % 32 & 1;
+}
+#endif
 
 /* Free ends within near_lat of p: up to max of them into out. Returns how many. Ends met on the way that are no longer
  * free are forgotten. */

@@ -35,19 +35,16 @@ static bool next(walk_t *w, const ink_map_t *map, page_point_t *p, bool *known) 
     return true;
 }
 
-/* Is the stroke one run without a vertex between its ends? Most of a rough surface are. */
-static bool is_line(const pool_t *pool, int32_t start) {
-    const run_t *r = &pool->run[start >> 1];
-    return pool->mate[pool_other_end(start)] < 0 &&
-           ink_next(run_family(r), run_t_of(r, 0), run_t_of(r, 1)) == run_t_of(r, 1);
+int emit_plain(const page_point_t *point, int32_t start, simplify_t *out, int64_t *vertices) {
+    *vertices += 2;
+    return simplify_line(out, point[start], point[pool_other_end(start)]);
 }
 
 int emit_stroke(pool_t *pool, const ink_map_t *map, const page_point_t *point, int32_t start, simplify_t *out,
                 int64_t *vertices) {
-    if (point && is_line(pool, start)) {
+    if (CONFIG_64BIT && point && pool->mate[pool_other_end(start)] < 0 && run_is_plain(&pool->run[start >> 1])) {
         pool->run[start >> 1].to_hi |= RUN_DRAWN;
-        *vertices += 2;
-        return simplify_line(out, point[start], point[pool_other_end(start)]);
+        return emit_plain(point, start, out, vertices);
     }
     walk_t w = {.pool = pool, .point = point};
     page_point_t p;

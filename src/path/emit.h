@@ -10,6 +10,9 @@
  * Returns 0 or the error of the sink. */
 int emit_stroke(pool_t *pool, const ink_map_t *map, const page_point_t *point, int32_t start, simplify_t *out,
                 int64_t *vertices);
+/* The same for a run without a vertex between its ends, which is a stroke and need not be marked. Most strokes of a
+ * rough surface are so. */
+int emit_plain(const page_point_t *point, int32_t start, simplify_t *out, int64_t *vertices);
 /* Marks the runs of a stroke RUN_DRAWN without drawing them. */
 void emit_drop(pool_t *pool, int32_t start);
 /* Is the whole stroke shorter than dot_lat? Looks no further than it must. */

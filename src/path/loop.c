@@ -96,15 +96,16 @@ static int32_t cut_run(chain_t *c, int32_t r, int64_t t, page_point_t at) {
     return 2 * s;
 }
 
-/* Opens the closed stroke through the run r, with a free end as found. */
-static __attribute__((noinline)) void open_at(chain_t *c, int32_t r, bool found, const meeting_t *m) {
+/* Opens the closed stroke through the end `first`, with a free end as found. Returns the end that is free instead, or
+ * -1. */
+static __attribute__((noinline)) int32_t open_at(chain_t *c, int32_t first, bool found, const meeting_t *m) {
     pool_t *p = c->pool;
     const int32_t k = m->start >> 1;
     int32_t e = 2 * k;
     bool at_end = found && (m->t == pool_end_t(p, 2 * k) || m->t == pool_end_t(p, 2 * k + 1));
     if (!found || (!at_end && (p->n == p->cap || p->n == c->room))) {
-        cut_at_end(c, 2 * r);
-        return;
+        cut_at_end(c, first);
+        return -1;
     }
     if (at_end) {
         e += m->t == pool_end_t(p, 2 * k + 1);
@@ -118,16 +119,23 @@ static __attribute__((noinline)) void open_at(chain_t *c, int32_t r, bool found,
     p->mate[m->free_end] = far_of_loop;
     p->run[m->free_end >> 1].to_hi |= RUN_SEEN; /* it may have no free end from now on */
     set_far_ends(p, e, far_of_other);
+    return e;
+}
+
+bool loop_open_at(chain_t *c, int32_t e, loop_joint_t *joint) {
+    meeting_t m = {0};
+    const bool found = walk(c, e, &m);
+    *joint = (loop_joint_t){m.free_end, open_at(c, e, found, &m), m.at};
+    return joint->end >= 0;
 }
 
 void loop_open(chain_t *c) {
     const pool_t *p = c->pool;
     const int32_t runs = p->n;
     for (int32_t r = 0; r < runs; r++) {
-        meeting_t m = {0};
+        loop_joint_t joint;
         if (!chain_is_closed(p, r)) continue;
         pool_tick(p);
-        const bool found = walk(c, 2 * r, &m);
-        open_at(c, r, found, &m);
+        loop_open_at(c, 2 * r, &joint);
     }
 }

@@ -13,5 +13,13 @@
 bool loop_find(chain_t *c);
 /* Opens all closed strokes, after loop_find. May cut a run in two at a node, while the pool has room for it. */
 void loop_open(chain_t *c);
+/* Where a closed stroke was opened: at the free end `other`, found from the place `at`. It goes on there, and `end` is
+ * free instead. */
+typedef struct loop_joint {
+    int32_t other, end;
+    page_point_t at;
+} loop_joint_t;
+/* Opens the closed stroke through the end e. False if that end, and what it went on into, are free now. */
+bool loop_open_at(chain_t *c, int32_t e, loop_joint_t *joint);
 
 #endif

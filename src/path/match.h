@@ -11,13 +11,13 @@
 #ifndef MATCH_H
 #define MATCH_H
 
-#include "path/chain.h"
+#include "path/places.h"
+#include "path/tour.h"
 
 #define MATCH_STROKES_MIN 65536
 
-/* Puts the strokes of the chain in order, from `at` and back to `home`, if they are so many and there is memory: the
- * ends at which they are entered, behind the chain's points. Else returns NULL. The far sides of free ends are no
- * longer known then (pool.h). Cost near-linear; 56 bytes a stroke. */
-int32_t *match_order(const chain_t *c, page_point_t at, page_point_t home, int32_t *strokes);
+/* Puts the strokes in order, if they are so many: the ends at which they are entered, and TOUR_PLAIN (tour.h). Else
+ * returns NULL. The far sides of free ends are no longer known then (pool.h). Cost near-linear. */
+int32_t *match_order(places_t *p);
 
 #endif

@@ -6,6 +6,7 @@
 #include "path/emit.h"
 #include "path/loop.h"
 #include "path/match.h"
+#include "path/meet.h"
 #include "path/tour.h"
 
 /* A full pool draws a half of its strokes; the rest stays to be continued. Smaller parts make 3 % fewer strokes, but
@@ -59,14 +60,19 @@ static bool is_apart(page_point_t a, page_point_t b, int32_t by_lat) {
     return dist_of(dx, dy) >= (uint32_t)by_lat;
 }
 
+/* Drops the stroke at the free end e, if it is a dot. */
+static bool drop_dot(path_t *p, const chain_t *c, int32_t e) {
+    const int32_t far = ~p->pool.mate[e];
+    if (is_apart(c->point[e], c->point[far], p->config.step_lat) || !drop_if_dot(p, c->point, e)) return false;
+    p->pool.mate[e] = far; /* free no more */
+    p->pool.mate[far] = e;
+    return true;
+}
+
 /* Dots need not be in the tour, once nothing can come that continues them. */
 static void drop_dots(path_t *p, const chain_t *c) {
     for (int32_t e = 0; e < 2 * p->pool.n; e++) {
-        int32_t far = ~p->pool.mate[e];
-        if (far < e || is_apart(c->point[e], c->point[far], p->config.step_lat)) continue;
-        if (!drop_if_dot(p, c->point, e)) continue;
-        p->pool.mate[e] = far; /* free no more */
-        p->pool.mate[far] = e;
+        if (~p->pool.mate[e] > e) drop_dot(p, c, e);
     }
 }
 
@@ -142,17 +148,27 @@ static void tell(const path_t *p, bool all, int32_t done) {
 #endif
 }
 
-/* Very many strokes. */
-static bool order_many(const path_t *p, tour_t *tour, const chain_t *chain) {
 #if CONFIG_MANY_STROKES
-    tour->order = match_order(chain, p->leaves, p->config.home, &tour->n);
-    tour->end = NULL;
-    tour->point = chain->point;
-    return tour->order != NULL;
-#else
-    (void)p, (void)tour, (void)chain;
-    return false;
+/* Pairs the ends of very many runs. */
+static bool pair_many(path_t *p, places_t *places, chain_t *chain, bool all) {
+    if (!places_sort(places, chain, p->leaves, p->config.home, p->config.step_lat)) return false;
+    meet_pair(places);
+    tell(p, all, TOLD_PAIRED);
+    for (int32_t k = 0; all && k < 2 * places->briefs; k++) {
+        const int32_t at = places->brief[k / 2][k % 2];
+        if (!places_is_marked(places->now.spot[at]) && drop_dot(p, chain, places->now.place[at].end))
+            places_drop(places, at);
+    }
+    return true;
+}
 #endif
+
+static void pair(path_t *p, chain_t *chain, bool all) {
+    chain_pair(chain);
+    tell(p, all, TOLD_PAIRED);
+    chain_close(chain);
+    if (loop_find(chain)) loop_open(chain);
+    if (all) drop_dots(p, chain);
 }
 
 /* all: nothing can come that continues a stroke. improve: there is time for it. */
@@ -161,15 +177,20 @@ static void order(path_t *p, tour_t *tour, bool all, bool improve) {
     pool_t *pool = &p->pool;
     p->stats.lost += chain_place(&chain, pool, p->map, p->config.step_lat / 4);
     tell(p, all, TOLD_PLACED);
-    chain_pair(&chain);
-    tell(p, all, TOLD_PAIRED);
-    chain_close(&chain);
-    if (loop_find(&chain)) loop_open(&chain);
-    if (all) drop_dots(p, &chain);
-    if (order_many(p, tour, &chain)) {
+#if CONFIG_MANY_STROKES
+    places_t places;
+    const bool many = pair_many(p, &places, &chain, all);
+    if (!many) pair(p, &chain, all);
+    if (many && (tour->order = match_order(&places)) != NULL) {
+        tour->n = places.strokes;
+        tour->end = NULL;
+        tour->point = chain.point;
         tell(p, all, TOLD_ORDERED);
         return;
     }
+#else
+    pair(p, &chain, all);
+#endif
     tour_collect(tour, &chain, p->leaves, p->config.home);
     pump(p);
     tell(p, all, TOLD_CLOSED);
@@ -204,6 +225,11 @@ static int flush(path_t *p, enum flush why) {
 #if CONFIG_FETCH
         tour_fetch(&tour, pool, k, p->config.fetch, p->map->ctx);
 #endif
+        if (all && tour_is_plain(&tour, k)) {
+            err = emit_plain(tour.point, tour_stroke(&tour, pool, k), &p->simplify, &p->stats.vertices);
+            if (err) return err;
+            continue;
+        }
         int32_t start = tour_stroke(&tour, pool, k);
         if (!all && drop_if_dot(p, tour.point, start)) continue;
         if (fed_of(p) && !all)
@@ -294,7 +320,7 @@ int path_init(path_t *p, void *mem, size_t bytes, const path_config_t *c, const 
     if (cap > POOL_RUNS_MAX) cap = POOL_RUNS_MAX;
     p->pool.cap = (int32_t)cap;
     p->pool.run = (run_t *)(void *)((uint8_t *)mem + skip + JOIN_BYTES(pairs));
-    p->pool.mate = (int32_t *)(void *)(p->pool.run + cap + 1);
+    p->pool.mate = pool_own_mate(&p->pool);
     p->pool.work = (uint32_t *)(void *)(p->pool.mate + 2 * (cap + 1));
     p->stats.bytes = JOIN_BYTES(pairs) + POOL_BYTES(cap) + fed;
     if (fed) {

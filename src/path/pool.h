@@ -24,11 +24,19 @@ typedef void (*ink_fetch_t)(void *ctx, uint8_t family, uint8_t surface, int32_t 
 typedef struct pool {
     int32_t n, cap;
     run_t *run;              /* cap */
-    int32_t *mate;           /* 2 * cap */
+    int32_t *mate;           /* 2 * cap. Where there is memory for more, a stage may keep it elsewhere in the pool */
     uint32_t *work;          /* POOL_WORK_PER_RUN * (cap + 1) bytes, aligned for uint32_t */
     void (*tick)(void *ctx); /* called now and then while runs are put in order, or NULL */
     void *tick_ctx;
 } pool_t;
+
+/* Where the links are if nobody has said otherwise: behind the runs. The work area is behind them. */
+static inline int32_t *pool_own_mate(const pool_t *p) {
+    return (int32_t *)(void *)(p->run + p->cap + 1);
+}
+static inline uint32_t *pool_end(const pool_t *p) {
+    return p->work + (POOL_WORK_PER_RUN / 4) * ((size_t)p->cap + 1);
+}
 
 static inline void pool_tick(const pool_t *p) {
     if (CONFIG_FED && p->tick) p->tick(p->tick_ctx);

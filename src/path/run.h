@@ -61,6 +61,12 @@ static inline int64_t run_t_of(const run_t *r, int side) {
     return (int64_t)((uint64_t)hi << 32 | (side ? r->to_lo : r->from_lo));
 }
 
+/* Is there no vertex between its ends? */
+static inline bool run_is_plain(const run_t *r) {
+    const int bits = ink_bits(run_family(r));
+    return ((run_t_of(r, 0) >> bits) + 1) << bits >= run_t_of(r, 1);
+}
+
 static inline ink_piece_t run_unpack(const run_t *r) {
     return (ink_piece_t){run_family(r), run_surface(r), run_line(r), run_t_of(r, 0), run_t_of(r, 1)};
 }

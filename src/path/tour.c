@@ -15,6 +15,14 @@ static void lay_out(tour_t *t, const chain_t *c) {
     bool keep = points + used + m <= all;
     if (!keep) points = 0;
     int32_t *w = (int32_t *)(void *)c->pool->work + points;
+#if CONFIG_MANY_STROKES
+    if (c->plain) {
+        keep = true;
+        w = c->behind;
+        points = 0;
+        all = (size_t)((int32_t *)(void *)pool_end(c->pool) - w);
+    }
+#endif
     t->point = keep ? c->point : NULL;
     t->near.item = w;
     t->order = w + 2 * m;
@@ -96,14 +104,14 @@ void tour_settle(tour_t *t) {
 }
 
 int32_t tour_stroke(const tour_t *t, const pool_t *pool, int32_t k) {
-    if (is_of_ends(t)) return t->order[k];
+    if (is_of_ends(t)) return t->order[k] & ~TOUR_PLAIN;
     int32_t item = t->order[k], e = t->end[item >> 1] & ~TOUR_QUIET;
     return item & 1 ? ~pool->mate[e] : e;
 }
 
 #if CONFIG_FETCH
 static int32_t end_at(const tour_t *t, int32_t k) {
-    if (is_of_ends(t)) return t->order[k];
+    if (is_of_ends(t)) return t->order[k] & ~TOUR_PLAIN;
     return t->end[t->order[k] >> 1] & ~TOUR_QUIET;
 }
 
@@ -118,12 +126,14 @@ static void fetch_between(const run_t *r, ink_fetch_t fetch, void *ctx) {
 
 void tour_fetch(const tour_t *t, const pool_t *pool, int32_t k, ink_fetch_t fetch, void *ctx) {
     if (k + 3 * TOUR_FETCH >= t->n) return;
-    if (fetch) fetch_between(&pool->run[end_at(t, k + TOUR_FETCH) >> 1], fetch, ctx);
+    if (fetch && !tour_is_plain(t, k + TOUR_FETCH))
+        fetch_between(&pool->run[end_at(t, k + TOUR_FETCH) >> 1], fetch, ctx);
     const int32_t e = end_at(t, k + 2 * TOUR_FETCH);
+    if (t->point) __builtin_prefetch(&t->point[e & ~1]);
+    if (tour_is_plain(t, k + 2 * TOUR_FETCH)) return; /* nothing else is needed of it */
     if (!is_of_ends(t)) __builtin_prefetch(&t->end[t->order[k + 3 * TOUR_FETCH] >> 1]);
     __builtin_prefetch(&pool->run[e >> 1]);
     __builtin_prefetch(&pool->run[e >> 1].what); /* a run may lie across two lines of the cache */
     __builtin_prefetch(&pool->mate[e]);
-    if (t->point) __builtin_prefetch(&t->point[e & ~1]);
 }
 #endif

@@ -13,6 +13,7 @@
 #include "path/near.h"
 
 #define TOUR_QUIET (1 << 30) /* in tour.end: nothing around this stroke can be improved at the moment */
+#define TOUR_PLAIN (1 << 30) /* in tour.order */
 
 #define TOUR_FETCH 6 /* strokes that memory is asked for ahead, three times */
 #define TOUR_FETCH_VERTICES 4
@@ -20,7 +21,7 @@
 typedef struct tour {
     int32_t n;      /* strokes, without the pen's */
     int32_t *order; /* n + 1 items: the end at which the stroke at this place is entered. Or, if `end` is NULL, n ends
-                       of runs (match.h) */
+                       of runs (match.h), and TOUR_PLAIN */
     int32_t *place; /* n + 1: the stroke's place in order, for tour_improve */
     int32_t *end;   /* n: n + 1: a free end of the stroke (pool.h), that item 2k stands for; and TOUR_QUIET */
     spot_t *spot;   /* 2 (n + 1) items */
@@ -40,6 +41,10 @@ void tour_greedy(tour_t *t);
 void tour_improve(tour_t *t, int64_t operations);
 /* Turns the circle so that the pen's stroke is last, and everything is entered as said. */
 void tour_settle(tour_t *t);
+/* Is the stroke in place k known to be a single run without a vertex between its ends? */
+static inline bool tour_is_plain(const tour_t *t, int32_t k) {
+    return CONFIG_MANY_STROKES && !t->end && (t->order[k] & TOUR_PLAIN);
+}
 /* The end from which the stroke in place k is to be drawn, 0 <= k < n. */
 int32_t tour_stroke(const tour_t *t, const pool_t *pool, int32_t k);
 #if CONFIG_FETCH

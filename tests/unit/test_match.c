@@ -1,6 +1,7 @@
 /* The order of very many strokes (path/match.h): all of them once, and as near as on the walk to the nearest end. */
 #include "path/loop.h"
 #include "path/match.h"
+#include "path/meet.h"
 #include "path/tour.h"
 #include "path_scene.h"
 #include <math.h>
@@ -15,6 +16,7 @@ static pool_t pool;
 static flat_t flat = {CELL, 0};
 static const ink_map_t map = {&flat, flat_point};
 static chain_t chain;
+static places_t places;
 static const page_point_t HOME = {0, 0}, AT = {CELL, 7 * CELL};
 
 typedef enum layout { SCATTERED, IN_A_ROW, CROWDED } layout_t;
@@ -48,9 +50,8 @@ static void fill(layout_t layout, int32_t cap) {
         pool.run[pool.n++] = run_pack(&p);
     }
     assert_int_equal(chain_place(&chain, &pool, &map, NEAR), 0);
-    chain_pair(&chain);
-    chain_close(&chain);
-    if (loop_find(&chain)) loop_open(&chain);
+    if (!places_sort(&places, &chain, AT, HOME, 0)) return;
+    meet_pair(&places);
 }
 
 static double distance(page_point_t a, page_point_t b) {
@@ -97,12 +98,19 @@ static void all_strokes_are_passed_once(void **state) {
     static const char *const NAME[] = {"scattered", "in a row", "crowded"};
     (void)state;
     for (layout_t layout = SCATTERED; layout <= CROWDED; layout++) {
-        int32_t strokes = 0;
         fill(layout, CAP);
         const double walked = walk();
         fill(layout, CAP);
-        const int32_t *order = match_order(&chain, AT, HOME, &strokes);
+        int32_t *order = match_order(&places);
         assert_non_null(order);
+        const int32_t strokes = places.strokes;
+        for (int32_t k = 0; k < strokes; k++) {
+            const bool plain = order[k] & TOUR_PLAIN;
+            order[k] &= ~TOUR_PLAIN;
+            const run_t *r = &pool.run[order[k] >> 1];
+            assert_true(plain == (pool.mate[pool_other_end(order[k])] < 0 &&
+                                  ink_next(INK_ROW, run_t_of(r, 0), run_t_of(r, 1)) == run_t_of(r, 1)));
+        }
         const double matched = go(order, strokes);
         print_message("# match: %d strokes %s: %.0f mm, %.0f by the walk to the nearest\n", (int)strokes, NAME[layout],
                       matched, walked);
@@ -111,10 +119,12 @@ static void all_strokes_are_passed_once(void **state) {
 }
 
 static void without_memory_it_is_left_to_others(void **state) {
-    int32_t strokes;
     (void)state;
     fill(SCATTERED, RUNS + RUNS / 4);
-    assert_null(match_order(&chain, AT, HOME, &strokes));
+    assert_false(places_sort(&places, &chain, AT, HOME, 0));
+    chain_pair(&chain);
+    chain_close(&chain);
+    if (loop_find(&chain)) loop_open(&chain);
     assert_true(walk() > 0);
 }
 
