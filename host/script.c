@@ -1,4 +1,5 @@
 /* script.c - the session's port, in stdio. */
+#define _GNU_SOURCE /* ppoll */
 #include "host/script.h"
 
 #include <errno.h>
@@ -170,6 +171,31 @@ static void port_close(void *ctx, int handle) {
     script.file[handle] = NULL;
 }
 
+static int64_t now_ns(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return t.tv_sec * INT64_C(1000000000) + t.tv_nsec;
+}
+
+/* Until so many ms have passed or, with less than 0, there is something to read; or until Ctrl-C, which comes through
+ * only while it waits: else it could come between the look at is_to_stop and the waiting, and be lost. */
+static void wait_for_input(int32_t ms) {
+    struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
+    const int64_t end = now_ns() + ms * INT64_C(1000000);
+    sigset_t interrupt, usual;
+    sigemptyset(&interrupt);
+    sigaddset(&interrupt, SIGINT);
+    sigprocmask(SIG_BLOCK, &interrupt, &usual);
+    for (int ready = -1; ready < 0 && !is_to_stop;) {
+        const int64_t left = ms < 0 ? 0 : end - now_ns();
+        if (left < 0) break;
+        const struct timespec t = {.tv_sec = left / 1000000000, .tv_nsec = left % 1000000000};
+        ready = ppoll(&in, ms < 0, ms < 0 ? NULL : &t, &usual);
+        if (ready < 0 && errno != EINTR) break;
+    }
+    sigprocmask(SIG_SETMASK, &usual, NULL);
+}
+
 static int port_pause(void *ctx, const char *prompt, int32_t ms) {
     (void)ctx;
     if (!script.waits) return 0;
@@ -178,14 +204,9 @@ static int port_pause(void *ctx, const char *prompt, int32_t ms) {
         if (ms >= 0) fputc('\n', stderr);
         fflush(stderr);
     }
-    if (ms >= 0) {
-        struct timespec t = {.tv_sec = ms / 1000, .tv_nsec = ms % 1000 * 1000000L};
-        while (!is_to_stop && nanosleep(&t, &t) != 0 && errno == EINTR) continue;
-        return is_to_stop ? stopped() : 0;
-    }
-    struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
-    while (!is_to_stop && poll(&in, 1, -1) < 0 && errno == EINTR) continue;
+    wait_for_input(ms);
     if (is_to_stop) return stopped();
+    if (ms >= 0) return 0;
     int c;
     while ((c = getchar()) != EOF && c != '\n') continue;
     return 0;
