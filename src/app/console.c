@@ -33,12 +33,12 @@ static void port_print(void *ctx, const char *text) {
     if (c->capture.on)
         keep_print(&c->capture, text);
     else
-        say(text);
+        say_line(text);
 }
 
 static void port_warn(void *ctx, const char *text) {
     (void)ctx;
-    say(text);
+    say_line(text);
 }
 
 /* There are no files. */
@@ -73,7 +73,7 @@ int console_pause(console_t *c, int32_t ms) {
 
 static int port_pause(void *ctx, const char *prompt, int32_t ms) {
     console_t *c = ctx;
-    say(prompt);
+    say_line(prompt);
     c->realtime.cancelled = false;
     if (ms >= 0) {
         say("\n");

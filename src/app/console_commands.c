@@ -160,7 +160,7 @@ static int status(console_t *c) {
     char line[REALTIME_STATUS_MAX];
     text_t t = text_start(line, sizeof line);
     realtime_status(&c->realtime, &t);
-    say(line);
+    say_line(line);
     say("\n");
     return 0;
 }
@@ -176,7 +176,7 @@ static void tell(const char *what, int64_t used, int64_t of) {
         text_add_int(&t, of);
     }
     text_add(&t, "\n");
-    say(line);
+    say_line(line);
 }
 
 /* High-water marks in bytes, those of the picture from the last drawing, and how the machine was fed. */
@@ -222,7 +222,7 @@ static void tell_room(const console_t *c) {
         text_add(&t, " struts with haloes");
     }
     text_add(&t, "\n");
-    say(line);
+    say_line(line);
 }
 
 static int help_board(console_t *c) {

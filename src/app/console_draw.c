@@ -16,7 +16,7 @@ static void say_int(int64_t v) {
     char buf[24];
     text_t t = text_start(buf, sizeof buf);
     text_add_int(&t, v);
-    say(buf);
+    say_line(buf);
 }
 
 /* A drawing may reach all of the paper but its margin. */

@@ -4,6 +4,7 @@
 #include "app/line_edit.h"
 #include "app/say.h"
 #include "hal/hal.h"
+#include "said.h"
 
 enum { CTRL_X = 24 };
 
@@ -111,7 +112,7 @@ static void answer_status(const realtime_t *r) {
     realtime_status(r, &t);
     t.size++; /* kept back for the line feed */
     text_add(&t, "\n");
-    say(line);
+    say_line(line);
 }
 
 static bool obey(realtime_t *r, uint8_t byte) {
@@ -138,10 +139,10 @@ static bool obey(realtime_t *r, uint8_t byte) {
 static void tell_alarm(realtime_t *r) {
     static const char *const WHY[] = {
         [CARRIAGE_NO_ALARM] = "",
-        [CARRIAGE_LIMIT] = "a limit switch closed",
-        [CARRIAGE_ESTOP] = "emergency stop, motors off",
-        [CARRIAGE_NO_SWITCH] = "homing found no limit switch, or one that stays closed",
-        [CARRIAGE_BROKEN_OFF] = "homing was stopped",
+        [CARRIAGE_LIMIT] = SAID("a limit switch closed"),
+        [CARRIAGE_ESTOP] = SAID("emergency stop, motors off"),
+        [CARRIAGE_NO_SWITCH] = SAID("homing found no limit switch, or one that stays closed"),
+        [CARRIAGE_BROKEN_OFF] = SAID("homing was stopped"),
     };
     enum carriage_alarm alarm = carriage_alarm(r->carriage);
     if (alarm == (enum carriage_alarm)r->alarm_said) return;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "hal/hal.h"
+#include "said.h"
 
 void say_bytes(const char *text, size_t bytes) {
     while (bytes) {
@@ -17,6 +18,11 @@ void say_bytes(const char *text, size_t bytes) {
     }
 }
 
-void say(const char *text) {
+void say_line(const char *text) {
     say_bytes(text, strlen(text));
+}
+
+void say(const char *text) {
+    said_t p = said_text(text);
+    for (char c; (c = said_next(&p)) != '\0';) say_bytes(&c, 1);
 }

@@ -4,7 +4,10 @@
 
 #include <stddef.h>
 
+/* A text of the program, which may be packed (said.h). */
 void say(const char *text);
+/* One that was put together, or comes from outside. */
+void say_line(const char *text);
 void say_bytes(const char *text, size_t bytes);
 
 #endif

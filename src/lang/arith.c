@@ -171,7 +171,7 @@ const char *arith_number_of_text(value_t *a) {
     if (!minus) lexer_accept(&lx, '+');
     const bool number = lx.tok.kind == TOKEN_NUMBER && lx.pos == lx.len;
     *a = number ? lx.tok.value : value_undef();
-    if (!number) return "this text is not a number";
+    if (!number) return SAID("this text is not a number");
     return minus ? arith_unary(OP_NEG, a) : NULL;
 }
 
@@ -192,10 +192,10 @@ const char *arith_binary(uint8_t op, value_t *a, value_t b) {
         return op == OP_POW ? integer_power(a, b.m) : integer_binary(op, a, b.m);
     switch (op) {
     case OP_MOD:
-        return "non-integer operand for %";
+        return SAID("non-integer operand for %");
     case OP_SHL:
     case OP_SHR:
-        return "bit shift applied to non-INT";
+        return SAID("bit shift applied to non-INT");
     case OP_BAND:
     case OP_XOR:
     case OP_BOR:
@@ -209,7 +209,7 @@ const char *arith_binary(uint8_t op, value_t *a, value_t b) {
 
 static const char *factorial(value_t *a) {
     enum { FITS = 20, TOO_LARGE = 300 }; /* 20! < 2^63; 300! is far above every limit */
-    if (a->kind != VALUE_INT) return "factorial (!) argument must be an integer";
+    if (a->kind != VALUE_INT) return SAID("factorial (!) argument must be an integer");
     int64_t n = a->m;
     if (n > TOO_LARGE) return ARITH_UNDEFINED;
     int64_t r = 1;

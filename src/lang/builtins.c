@@ -95,7 +95,7 @@ static const char *fn_rand(lang_t *l, value_t *a, int n) {
     if (sign > 0) {
         bool ok = true;
         int64_t seed = num_to_fixed(num_trunc(arg), 0, &ok);
-        if (!ok || seed < 1 || seed >= NOISE_M2) return "illegal seed value";
+        if (!ok || seed < 1 || seed >= NOISE_M2) return SAID("illegal seed value");
         l->seed[0] = l->seed[1] = (int32_t)seed;
     }
     *a = value_real(noise_next(l->seed));
@@ -104,11 +104,11 @@ static const char *fn_rand(lang_t *l, value_t *a, int n) {
 
 static const char *fn_column(lang_t *l, value_t *a, int n) {
     (void)n;
-    if (!l->column) return "a column of data makes no sense here";
+    if (!l->column) return SAID("a column of data makes no sense here");
     num_t column = value_num(*a);
     bool ok = true;
     int64_t i = num_to_fixed(num_trunc(column), 0, &ok);
-    if (!ok || i < INT16_MIN || i > INT16_MAX) return "no such column";
+    if (!ok || i < INT16_MIN || i > INT16_MAX) return SAID("no such column");
     *a = l->column(l->column_ctx, (int32_t)i);
     return a->kind == VALUE_UNDEF ? ARITH_UNDEFINED : NULL;
 }

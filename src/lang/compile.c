@@ -141,8 +141,8 @@ static bool is_round(const pending_t *in) {
 
 /* What would close it. */
 static const char *missing(const pending_t *in) {
-    if (in->kind == P_THEN) return "expecting ':'";
-    if (is_round(in)) return "')' expected";
+    if (in->kind == P_THEN) return SAID("expecting ':'");
+    if (is_round(in)) return SAID("')' expected");
     return in->kind == P_SLICE && in->at == 0 ? "':' expected: no array is called so" : "']' expected";
 }
 #else

@@ -37,13 +37,13 @@ static int end_undefined(lang_t *l, value_t *out) {
 /* Can the function behind OP_CALL be entered; top: where the last argument is. Returns NULL or the reason. */
 static const char *refusal(const lang_t *l, const symbol_t *s, int args, const value_t *top, int calls, int *code) {
     *code = ERR_NAME;
-    if (!s->defined) return "undefined function";
+    if (!s->defined) return SAID("undefined function");
     *code = ERR_VALUE;
-    if (s->params != args) return "wrong number of arguments for function";
+    if (s->params != args) return SAID("wrong number of arguments for function");
     *code = ERR_FULL;
-    if (calls == CONFIG_CALLS) return "recursion too deep in function";
+    if (calls == CONFIG_CALLS) return SAID("recursion too deep in function");
     size_t used = (size_t)(top + 1 - args - l->stack);
-    if (used + s->u.code.stack > CONFIG_STACK) return "out of stack in function";
+    if (used + s->u.code.stack > CONFIG_STACK) return SAID("out of stack in function");
     return NULL;
 }
 

@@ -1,5 +1,5 @@
 /* help.c - short texts about the language, one per topic; on a board they lie in flash, where it is small packed by
- * firmware/tools/pack_help.c, which reads this file. A board's are about what it can do: it has no files. */
+ * firmware/tools/pack_texts.c, which reads this file. A board's are about what it can do: it has no files. */
 #ifndef HELP_TEXTS_ONLY
 #include "lang/builtins.h"
 #include "lang/session_parts.h"
@@ -259,30 +259,20 @@ static const struct {
 
 #ifndef HELP_TEXTS_ONLY
 #ifdef HELP_PACKED
-/* A byte from 128 on stands for two, each of which may be such a byte again. */
 static void tell_topic(const session_port_t *port, size_t topic) {
-    const uint8_t *at = packed;
-    uint8_t open[PACKED_DEPTH + 1];
-    char part[32];
+    said_t p = said_text(packed);
+    char part[32] = "";
     size_t n = 0;
-    while (topic > 0) topic -= *at++ == 0;
-    while (*at != 0) {
-        int top = 0;
-        for (open[0] = *at++; top >= 0;) {
-            const uint8_t c = open[top];
-            if (c >= 128) {
-                open[top++] = pair[c - 128][1];
-                open[top] = pair[c - 128][0];
-                continue;
-            }
-            top--;
-            part[n++] = (char)c;
-            if (n < sizeof part - 1 && (*at != 0 || top >= 0)) continue;
-            part[n] = '\0';
-            port->print(port->ctx, part);
-            n = 0;
-        }
+    while (topic > 0) topic -= said_next(&p) == '\0';
+    for (char c; (c = said_next(&p)) != '\0';) {
+        part[n++] = c;
+        part[n] = '\0';
+        if (n < sizeof part - 1) continue;
+        port->print(port->ctx, part);
+        n = 0;
+        part[0] = '\0';
     }
+    port->print(port->ctx, part);
 }
 #else
 static void tell_topic(const session_port_t *port, size_t topic) {

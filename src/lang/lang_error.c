@@ -22,6 +22,12 @@ static void put_shown(out_t *o, const char *text, size_t len) {
         if (((unsigned char)*at < ' ' && *at != '\t') || *at == 0x7f) *at = '?';
 }
 
+/* A message, which may be packed. */
+static void put_said(out_t *o, const char *text) {
+    said_t p = said_text(text);
+    for (char c; (c = said_next(&p)) != '\0';) put(o, &c, 1);
+}
+
 static void put_text(out_t *o, const char *text) {
     put(o, text, strlen(text));
 }
@@ -47,7 +53,8 @@ int lang_error_set(lang_error_t *err, int code, int32_t column, const char *text
     err->line = 0;
     err->column = column;
     out_t o = message_of(err);
-    put_text(&o, text);
+    *o.at = 0;
+    put_said(&o, text);
     return code;
 }
 

@@ -1,11 +1,13 @@
 /* lang_error.h - what is wrong with a text, and where: the errors that a person at the prompt reads.
  *
  * Columns count bytes from 1; column 0 means "no place in particular". The line is the caller's business (it knows
- * which line of which file it is reading) and stays 0 here. Messages are cut, never overrun, at LANG_ERROR_MAX. */
+ * which line of which file it is reading) and stays 0 here. Their texts may be packed (said.h). Messages are cut, never
+ * overrun, at LANG_ERROR_MAX. */
 #ifndef LANG_ERROR_H
 #define LANG_ERROR_H
 
 #include "error.h"
+#include "said.h"
 #include <stddef.h>
 #include <stdint.h>
 

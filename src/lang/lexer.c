@@ -105,7 +105,7 @@ static void scan_number(lexer_t *lx) {
     lx->pos = scan_real(lx, start, &t->value);
     if (lx->pos == 0) {
         t->kind = TOKEN_BAD;
-        t->bad = "expecting exponent";
+        t->bad = SAID("expecting exponent");
         lx->pos = lx->len;
     }
 }
@@ -127,7 +127,7 @@ static void scan_string(lexer_t *lx) {
         }
     }
     t->kind = TOKEN_BAD;
-    t->bad = "string without its closing quote";
+    t->bad = SAID("string without its closing quote");
     lx->pos = i;
 }
 
@@ -186,7 +186,7 @@ void lexer_next(lexer_t *lx) {
         scan_string(lx);
     } else if (c < ' ' || c == 127) {
         t->kind = TOKEN_BAD;
-        t->bad = "a control character";
+        t->bad = SAID("a control character");
         lx->pos++;
     } else {
         t->kind = operator_at(lx, lx->pos);

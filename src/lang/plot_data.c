@@ -131,7 +131,7 @@ static int finish_isolines(session_t *s, session_source_t *src) {
         text_add_int(&t, s->plot.reader.left_grid_at);
         text_add(&t, ": ");
         const char *why = data_grid_text(s->plot.reader.trouble);
-        session_warn(s, where, why, strlen(why), "");
+        session_warn(s, where, "", 0, why);
     }
     if (mesh->faces == 0)
         session_warn(s, "", "lines", 5, " are drawn: isolines of one length, or set dgrid3d, would make a surface");

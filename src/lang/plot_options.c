@@ -3,7 +3,7 @@
 #include "lang/session_parts.h"
 
 #define INDEX_MAX 1000000000
-#define COLUMN_EXPECTED "a column's number or an expression in brackets expected"
+#define COLUMN_EXPECTED SAID("a column's number or an expression in brackets expected")
 
 int plot_options_twice(session_t *s, const lexer_t *lx, bool *seen) {
     if (*seen) return session_fail(s, lx, ERR_SYNTAX, "given twice");

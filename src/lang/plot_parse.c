@@ -21,7 +21,7 @@ int plot_options_expression(session_t *s, lexer_t *lx, expr_t *out) {
 }
 
 #if CONFIG_LOGSCALE
-#define NO_AXES "nonlinear axes are not supported"
+#define NO_AXES SAID("nonlinear axes are not supported")
 /* The bases of logarithmic axes that the code of an element needs; part: of a parametric one, or -1. */
 static expr_params_t with_bases(const session_t *s, enum plot_kind kind, const expr_params_t *params, int part) {
     expr_params_t p = *params;
@@ -31,7 +31,7 @@ static expr_params_t with_bases(const session_t *s, enum plot_kind kind, const e
     return p;
 }
 #else
-#define NO_AXES "logarithmic axes are not supported; draw log10() of it"
+#define NO_AXES SAID("logarithmic axes are not supported; draw log10() of it")
 #endif
 
 /* One evaluation finds the names that are defined nowhere, before anything is drawn. */

@@ -35,7 +35,7 @@ void session_warn(session_t *s, const char *what, const char *word, size_t len, 
     text_add(&t, "warning: ");
     text_add(&t, what);
     text_add_shown(&t, word, len);
-    text_add(&t, why);
+    text_add_said(&t, why);
     t.size++; /* the line feed was kept back */
     text_add(&t, "\n");
     s->port->warn(s->port->ctx, buf);

@@ -10,7 +10,7 @@ _Static_assert((int64_t)WIDTH_MIN_UM *LAT_PER_MM / 1000 >= HALO_WIDTH_MIN, "in l
 _Static_assert((int64_t)WIDTH_MAX_UM *LAT_PER_MM / 1000 <= HALO_WIDTH_MAX, "in lat");
 
 int set_halo(session_t *s, lexer_t *lx) {
-    static const char *const range = "a halo must be 0 or between 0.01 and 100 mm wide";
+    static const char *const range = SAID("a halo must be 0 or between 0.01 and 100 mm wide");
     lexer_t at = *lx;
     int64_t um = s->settings.halo_um;
     bool ends = false;

@@ -30,17 +30,17 @@ typedef struct option {
 
 #define FIELD(name) offsetof(machine_t, name)
 static const option_t options[] = {
-    {"st$eps", STEPS, 0, 0, 0, 0, "steps must be between 1 and 10000 per mm"},
-    {"sp$eed", NUMBER, 3, 100, 2000000, FIELD(draw_speed_um_s), "speed must be between 0.1 and 2000 mm/s"},
-    {"tr$avel", NUMBER, 3, 100, 2000000, FIELD(travel_speed_um_s), "travel must be between 0.1 and 2000 mm/s"},
-    {"acc$el", NUMBER, 3, 1000, 100000000, FIELD(accel_um_s2), "accel must be between 1 and 100000 mm/s^2"},
-    {"ju$nction", NUMBER, 3, 0, 10000, FIELD(junction_um), "junction must be between 0 and 10 mm"},
-    {"lif$t", NUMBER, 6, 0, 10000000, FIELD(lift_us), "lift must be between 0 and 10 s"},
-    {"low$er", NUMBER, 6, 0, 10000000, FIELD(lower_us), "lower must be between 0 and 10 s"},
-    {"en$able", NUMBER, 6, 0, 10000000, FIELD(enable_us), "enable must be between 0 and 10 s"},
-    {"pu$lse", NUMBER, 3, 100, 1000000, FIELD(pulse_ns), "pulse must be between 0.1 and 1000 us"},
-    {"se$tup", NUMBER, 3, 0, 1000000, FIELD(dir_setup_ns), "setup must be between 0 and 1000 us"},
-    {"pull$off", PULL_OFF, 3, 500, 50000, 0, "pulloff must be between 0.5 and 50 mm"},
+    {"st$eps", STEPS, 0, 0, 0, 0, SAID("steps must be between 1 and 10000 per mm")},
+    {"sp$eed", NUMBER, 3, 100, 2000000, FIELD(draw_speed_um_s), SAID("speed must be between 0.1 and 2000 mm/s")},
+    {"tr$avel", NUMBER, 3, 100, 2000000, FIELD(travel_speed_um_s), SAID("travel must be between 0.1 and 2000 mm/s")},
+    {"acc$el", NUMBER, 3, 1000, 100000000, FIELD(accel_um_s2), SAID("accel must be between 1 and 100000 mm/s^2")},
+    {"ju$nction", NUMBER, 3, 0, 10000, FIELD(junction_um), SAID("junction must be between 0 and 10 mm")},
+    {"lif$t", NUMBER, 6, 0, 10000000, FIELD(lift_us), SAID("lift must be between 0 and 10 s")},
+    {"low$er", NUMBER, 6, 0, 10000000, FIELD(lower_us), SAID("lower must be between 0 and 10 s")},
+    {"en$able", NUMBER, 6, 0, 10000000, FIELD(enable_us), SAID("enable must be between 0 and 10 s")},
+    {"pu$lse", NUMBER, 3, 100, 1000000, FIELD(pulse_ns), SAID("pulse must be between 0.1 and 1000 us")},
+    {"se$tup", NUMBER, 3, 0, 1000000, FIELD(dir_setup_ns), SAID("setup must be between 0 and 1000 us")},
+    {"pull$off", PULL_OFF, 3, 500, 50000, 0, SAID("pulloff must be between 0.5 and 50 mm")},
     {"pen", PEN, 0, 0, 0, 0, NULL},
     {"lim$its", LIMITS, 0, 0, 0, 0, NULL},
     {"home", HOME, 0, 0, 0, 0, NULL},
@@ -49,7 +49,7 @@ static const option_t options[] = {
     {"noswap", NOSWAP, 0, 0, 0, 0, NULL},
     {"core$xy", COREXY, 0, 0, 0, 0, NULL},
     {"cart$esian", CARTESIAN, 0, 0, 0, 0, NULL},
-    {"si$ze", SIZE, 0, 0, 0, 0, "size must be between 10 and 5000 mm"},
+    {"si$ze", SIZE, 0, 0, 0, 0, SAID("size must be between 10 and 5000 mm")},
 };
 
 /* Steps per mm of both motors: 16 fractional bits, so 80.1254 is meant as typed. */

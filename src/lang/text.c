@@ -25,6 +25,11 @@ void text_add(text_t *t, const char *s) {
     text_add_bytes(t, s, strlen(s));
 }
 
+void text_add_said(text_t *t, const char *text) {
+    said_t p = said_text(text);
+    for (char c; (c = said_next(&p)) != '\0';) text_add_bytes(t, &c, 1);
+}
+
 void text_add_int(text_t *t, int64_t v) {
     char digits[20];
     size_t n = sizeof digits;

@@ -3,6 +3,7 @@
 #define TEXT_H
 
 #include "lang/value.h"
+#include "said.h"
 
 typedef struct text {
     char *buf;
@@ -12,6 +13,8 @@ typedef struct text {
 text_t text_start(char *buf, size_t size); /* size >= 1 */
 void text_add(text_t *t, const char *s);
 void text_add_bytes(text_t *t, const char *s, size_t n);
+/* A text of the program, which may be packed (said.h). */
+void text_add_said(text_t *t, const char *text);
 /* What came from outside: a ? for each control character. */
 void text_add_shown(text_t *t, const char *s, size_t n);
 void text_add_int(text_t *t, int64_t v);

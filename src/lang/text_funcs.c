@@ -78,7 +78,7 @@ static const char *character(const char *text, int64_t k) {
 const char *text_slice(lang_t *l, value_t *a, int n) {
     (void)n;
     if (a[0].kind != VALUE_TEXT) return NOT_TEXT;
-    if (a[1].kind != VALUE_INT || a[2].kind != VALUE_INT) return "the number of a character is an integer";
+    if (a[1].kind != VALUE_INT || a[2].kind != VALUE_INT) return SAID("the number of a character is an integer");
     const int64_t first = a[1].m > 1 ? a[1].m : 1, last = a[2].m;
     const char *from = character(value_chars(a[0]), first), *to = from;
     if (last >= first) to = character(from, last >= INT32_MAX ? last : last - first + 2);
@@ -111,7 +111,7 @@ static const char *next_word(const char *text, size_t *len) {
 const char *text_word(lang_t *l, value_t *a, int n) {
     (void)n;
     if (a[0].kind != VALUE_TEXT) return NOT_TEXT;
-    if (a[1].kind != VALUE_INT) return "the number of a word is an integer";
+    if (a[1].kind != VALUE_INT) return SAID("the number of a word is an integer");
     size_t len = 0;
     const char *at = value_chars(a[0]);
     for (int64_t k = 0; k < a[1].m; k++) {
@@ -134,7 +134,7 @@ const char *text_words(lang_t *l, value_t *a, int n) {
 /* One conversion; f says which. */
 static const char *convert(text_t *t, const format_t *f, value_t v) {
     if (f->type == 's') {
-        if (v.kind != VALUE_TEXT) return "a text for %s is needed";
+        if (v.kind != VALUE_TEXT) return SAID("a text for %s is needed");
         format_text(t, f, value_chars(v), (size_t)v.e);
         return NULL;
     }
@@ -144,7 +144,7 @@ static const char *convert(text_t *t, const format_t *f, value_t v) {
 }
 
 const char *text_sprintf(lang_t *l, value_t *a, int n) {
-    if (a->kind != VALUE_TEXT) return "a format in quotes is needed";
+    if (a->kind != VALUE_TEXT) return SAID("a format in quotes is needed");
     texts_t *x = l->texts;
     text_t t = text_start(x->work + x->working, sizeof x->work - x->working);
     int next = 1;
@@ -155,13 +155,13 @@ const char *text_sprintf(lang_t *l, value_t *a, int n) {
         if (!*p) break;
         format_t f;
         const size_t used = format_read(++p, &f);
-        if (used == 0) return "a conversion of the format is not supported";
+        if (used == 0) return SAID("a conversion of the format is not supported");
         p += used;
         if (f.type == '%') {
             text_add(&t, "%");
             continue;
         }
-        if (next == n) return "a value for each % of the format is needed";
+        if (next == n) return SAID("a value for each % of the format is needed");
         const char *fault = convert(&t, &f, a[next++]);
         if (fault) return fault;
     }
@@ -173,7 +173,7 @@ const char *text_sprintf(lang_t *l, value_t *a, int n) {
 
 const char *text_of_column(lang_t *l, value_t *a, int n) {
     (void)l, (void)n, (void)a;
-    return "texts in columns of data are not kept";
+    return SAID("texts in columns of data are not kept");
 }
 
 static const symbol_t *array_of(const lang_t *l, value_t v) {
@@ -184,9 +184,9 @@ static const symbol_t *array_of(const lang_t *l, value_t v) {
 const char *array_element(lang_t *l, value_t *a, int n) {
     (void)n;
     const symbol_t *s = array_of(l, a[0]);
-    if (!s) return "this array is not defined";
-    if (a[1].kind != VALUE_INT) return "the index of an array is an integer";
-    if (a[1].m < 1 || a[1].m > s->u.cells.len) return "array index out of range";
+    if (!s) return SAID("this array is not defined");
+    if (a[1].kind != VALUE_INT) return SAID("the index of an array is an integer");
+    if (a[1].m < 1 || a[1].m > s->u.cells.len) return SAID("array index out of range");
     *a = l->cell[s->u.cells.start + a[1].m - 1];
     return NULL;
 }
@@ -194,7 +194,7 @@ const char *array_element(lang_t *l, value_t *a, int n) {
 const char *array_size(lang_t *l, value_t *a, int n) {
     (void)n;
     const symbol_t *s = array_of(l, a[0]);
-    if (!s) return "this array is not defined";
+    if (!s) return SAID("this array is not defined");
     *a = value_int(s->u.cells.len);
     return NULL;
 }

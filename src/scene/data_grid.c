@@ -2,28 +2,29 @@
 #include "scene/data_grid.h"
 #include "config.h"
 #include "error.h"
+#include "said.h"
 
 #define TOLERANCE_SHIFT (-12)   /* of the first step: far below a pen's width on any paper */
 #define NEARLY_SAME_SHIFT (-20) /* |dx| against |dy|, where rounding noise hides which of them stays */
 
 static const char *const TEXT[] = {
-    [DATA_OK] = "no error",
-    [DATA_FULL] = "more data than the memory for it holds",
-    [DATA_NO_PLACE] = "x or y is missing or undefined",
-    [DATA_NO_GRID] = "not a grid: neither x nor y stays the same along this isoline",
-    [DATA_TURNS] = "not a grid: coordinates must keep increasing or keep decreasing",
-    [DATA_OFF_GRID] = "not a grid: the corresponding point of the first isoline has another coordinate",
-    [DATA_RAGGED] = "not a grid: this isoline has another number of points than the first",
-    [DATA_TOO_SMALL] = "a surface needs at least 2 x 2 points",
-    [DATA_SETS] = "more data sets than can be drawn at once; choose with `index`",
-    [DATA_TWO_COLUMNS] = "a surface needs one column (z) or three (x y z), not two",
-    [DATA_SHORT] = "this line lacks a number that is needed",
-    [DATA_TEXT] = "not a number",
-    [DATA_DETAIL] = "a line on a face needs a face before it",
+    [DATA_OK] = SAID("no error"),
+    [DATA_FULL] = SAID("more data than the memory for it holds"),
+    [DATA_NO_PLACE] = SAID("x or y is missing or undefined"),
+    [DATA_NO_GRID] = SAID("not a grid: neither x nor y stays the same along this isoline"),
+    [DATA_TURNS] = SAID("not a grid: coordinates must keep increasing or keep decreasing"),
+    [DATA_OFF_GRID] = SAID("not a grid: the corresponding point of the first isoline has another coordinate"),
+    [DATA_RAGGED] = SAID("not a grid: this isoline has another number of points than the first"),
+    [DATA_TOO_SMALL] = SAID("a surface needs at least 2 x 2 points"),
+    [DATA_SETS] = SAID("more data sets than can be drawn at once; choose with `index`"),
+    [DATA_TWO_COLUMNS] = SAID("a surface needs one column (z) or three (x y z), not two"),
+    [DATA_SHORT] = SAID("this line lacks a number that is needed"),
+    [DATA_TEXT] = SAID("not a number"),
+    [DATA_DETAIL] = SAID("a line on a face needs a face before it"),
 #if CONFIG_AREA
-    [DATA_TONE] = "a tone is one number from 0 to 100",
+    [DATA_TONE] = SAID("a tone is one number from 0 to 100"),
 #endif
-    [DATA_VERTEX] = "there is no vertex of this number before this line",
+    [DATA_VERTEX] = SAID("there is no vertex of this number before this line"),
 };
 
 const char *data_grid_text(enum data_grid_trouble trouble) {
