@@ -121,6 +121,7 @@ static int draw(job_t *job, const plot_t *plot, picture_t *picture, watch_t *w) 
         if (bytes >= JOB_LENT_MAX) return no_memory(job, bytes);
         bytes = bytes * 2 < JOB_LENT_MAX ? bytes * 2 : JOB_LENT_MAX;
         if (job->drawing.take) text_restart(&stream);
+        hooks.generous = true;
     }
 }
 

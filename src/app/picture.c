@@ -81,7 +81,8 @@ void *picture_kernel_memory(picture_t *p, size_t *bytes) {
     if (p->arena.bytes >=
         LARGE_ARENA) { /* horizons grow from both ends: what lies between costs time where it is touched */
         const size_t want = hiding_bytes(p->plot, 4 * EACH_ROUGH, true), little = left / 64;
-        if (is_grid(p->plot) && want < *bytes) *bytes = want > little ? want : little;
+        const bool sparing = is_grid(p->plot) && !(p->hooks && p->hooks->generous);
+        if (sparing && want < *bytes) *bytes = want > little ? want : little;
     }
     if (share != PICTURE_SHARE_USUAL && left > 2 * least) {
         size_t most = left - least;

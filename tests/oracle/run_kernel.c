@@ -101,6 +101,7 @@ int run_perimeter_in(const scene_t *s, run_drawing_t *d, size_t bytes, hidden_st
 }
 
 int run_perimeter(const scene_t *s, run_drawing_t *d, hidden_stats_t *stats) {
-    int32_t vertices = (s->ref.hole ? 800 : 40) * (s->ref.nx + s->ref.ny) + 1000; /* windows take more */
+    int32_t vertices = 40 * (s->ref.nx + s->ref.ny) + 1000;
+    if (s->ref.hole) vertices += 760 * (s->ref.nx + s->ref.ny) + 8 * s->ref.nx * s->ref.ny; /* windows take more */
     return run_perimeter_in(s, d, perimeter_bytes(s->ref.nx, vertices), stats);
 }

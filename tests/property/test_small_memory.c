@@ -1,5 +1,6 @@
 /* The kernels in less memory than they need: every size from nothing to enough must end in ERR_FULL or in the right
  * drawing, and never touch a byte that was not lent. Run with `make asan` this is also the test of their bounds. */
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,6 +10,18 @@
 
 #include "error.h"
 #include "tests/oracle/run_cases.h"
+
+/* Windows lie in other lists where there is little memory, are joined in another order, and so are rounded otherwise.
+ */
+static bool same(const run_drawing_t *a, const run_drawing_t *b) {
+    bool equal = a->n == b->n;
+    for (size_t k = 0; k < a->n && equal; k++) {
+        const judge_piece_t *p = &a->piece[k], *q = &b->piece[k];
+        equal = p->family == q->family && p->line == q->line && fabs(p->from - q->from) < 0x1p-24 &&
+                fabs(p->to - q->to) < 0x1p-24;
+    }
+    return equal;
+}
 
 static void test_perimeter(void **state) {
     (void)state;
@@ -37,8 +50,7 @@ static void test_perimeter(void **state) {
                 drawn++;
                 least += (int64_t)bytes;
                 needed += (int64_t)enough;
-                assert_int_equal(d.n, reference.n);
-                assert_memory_equal(d.piece, reference.piece, d.n * sizeof *d.piece);
+                assert_true(same(&d, &reference));
             }
             run_drawing_free(&d);
         }

@@ -164,7 +164,8 @@ int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_
     e->cover = cover;
     if (windows) {
         count /= 2;
-        int err = windows_init(&e->windows, e->chart.grid->nx, pool, count * sizeof *pool);
+        const int32_t n = pencil_max(e->chart.grid->nx, e->chart.grid->ny);
+        int err = windows_init(&e->windows, n, pool, count * sizeof *pool);
         if (err != 0) return err;
         pool += count;
     }

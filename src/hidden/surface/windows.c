@@ -6,18 +6,92 @@
 
 #define ONE_Q30 (INT32_C(1) << 30)
 
-int windows_init(windows_t *w, int32_t nx, void *mem, size_t bytes) {
+static int32_t lists_of(const windows_t *w, int32_t bands) {
+    return (INT32_C(1) << (31 - w->shift)) * (1 + bands);
+}
+
+static void lay_out(windows_t *w, int32_t bands) {
+    w->bands = bands;
+    for (int32_t k = 0, lists = lists_of(w, bands); k < lists; k++) w->list[k] = -1;
+}
+
+/* How many bands there may be, and what the lists take then. */
+static size_t plan(windows_t *w, int32_t n, size_t bytes) {
+    size_t size = sizeof(int32_t) * (size_t)lists_of(w, 0);
+    for (int32_t bands = WINDOWS_BANDS; bands == WINDOWS_BANDS || (CONFIG_64BIT && bands <= n / 8); bands *= 2) {
+        const size_t more = sizeof(int32_t) * (size_t)lists_of(w, bands);
+        if (more > bytes / 4) break;
+        size = more;
+        w->most_bands = bands;
+    }
+    return (size + 7) / 8 * 8;
+}
+
+int windows_init(windows_t *w, int32_t n, void *mem, size_t bytes) {
     int32_t bits = 3; /* a scene fills a fourth of the abscissae at least */
-    while (bits < 14 && (INT32_C(1) << bits) < 2 * nx && (sizeof(int32_t) << bits) < bytes / 16) bits++;
-    const int32_t bands = (sizeof(int32_t) << bits) * (1 + WINDOWS_BANDS) <= bytes / 4 ? WINDOWS_BANDS : 0;
-    const int32_t lists = (INT32_C(1) << bits) * (1 + bands);
-    const size_t size = (sizeof(int32_t) * (size_t)lists + 7) / 8 * 8;
-    if (bytes < size + 4 * sizeof(window_t)) return ERR_FULL;
-    *w = (windows_t){.list = mem, .shift = (int8_t)(31 - bits), .bands = (int8_t)bands, .free = -1};
+    while (bits < 14 && (INT32_C(1) << bits) < 2 * n && (sizeof(int32_t) << bits) < bytes / 16) bits++;
+    *w = (windows_t){.list = mem, .shift = (int8_t)(31 - bits), .free = -1};
+    size_t size = plan(w, n, bytes);
+    size_t levels = WINDOWS_LEVELS * sizeof *w->band_of;
+    if (!CONFIG_64BIT || w->most_bands == 0 || levels > bytes / 16) levels = 0;
+    if (bytes < size + levels + 4 * sizeof(window_t)) return ERR_FULL;
+    if (levels != 0) {
+        w->band_of = (uint16_t *)(void *)((uint8_t *)mem + size);
+        for (int32_t k = 0; k < WINDOWS_LEVELS; k++) w->band_of[k] = (uint16_t)(k / (WINDOWS_LEVELS / WINDOWS_BANDS));
+    }
+    size += levels;
     w->pool = (window_t *)(void *)((uint8_t *)mem + size);
     w->spare = (envelope_spare_t){(uint8_t *)w->pool, (uint8_t *)mem + bytes};
-    for (int32_t k = 0; k < lists; k++) w->list[k] = -1;
+    lay_out(w, w->most_bands == 0 ? 0 : WINDOWS_BANDS);
+    w->few = lists_of(w, w->bands) / 2;
     return 0;
+}
+
+/* Takes all windows off their lists. Returns the first of the one that they make then. */
+static int32_t take_off(windows_t *w) {
+    int32_t all = -1;
+    for (int32_t l = 0, lists = lists_of(w, w->bands); l < lists; l++) {
+        for (int32_t k = w->list[l], next; k >= 0; k = next) {
+            next = w->pool[k].next;
+            w->pool[k].next = all;
+            all = k;
+        }
+    }
+    return all;
+}
+
+/* Divides the ordinates among the bands: half of them evenly, half as the windows lie. */
+static void divide(windows_t *w, int32_t all) {
+    uint16_t *share = w->band_of;
+    int64_t sum = 0, below = 0;
+    int32_t even = w->present / WINDOWS_LEVELS + 1;
+    even = pencil_min(even, UINT16_MAX / 2);
+    for (int32_t k = 0; k < WINDOWS_LEVELS; k++) share[k] = (uint16_t)even;
+    for (int32_t k = all; k >= 0; k = w->pool[k].next) {
+        uint16_t *s = &share[windows_level(w->pool[k].low)];
+        if (*s < UINT16_MAX) ++*s;
+    }
+    for (int32_t k = 0; k < WINDOWS_LEVELS; k++) sum += share[k];
+    for (int32_t k = 0; k < WINDOWS_LEVELS; k++) {
+        const int32_t here = share[k];
+        share[k] = (uint16_t)(below * w->bands / sum);
+        below += here;
+    }
+}
+
+/* Makes twice as many bands, if there may be. */
+static void refine(windows_t *w) {
+    const int32_t all = take_off(w);
+    lay_out(w, pencil_min(2 * w->bands, w->most_bands));
+    divide(w, all);
+    for (int32_t k = all, next; k >= 0; k = next) {
+        window_t *v = &w->pool[k];
+        int32_t *list = windows_list_of(w, windows_bin(w, v->a0), v->low, v->high);
+        next = v->next;
+        v->next = *list;
+        *list = k;
+    }
+    w->few = 2 * w->present;
 }
 
 size_t windows_bytes(const windows_t *w) {
@@ -117,6 +191,7 @@ static int open_between(windows_t *w, int32_t a0, int32_t a1, const outline_line
 
 int windows_open(windows_t *w, envelope_t *h, pencil_t p, pencil_t q, bool lower) {
     const outline_line_t edge = lower ? (outline_line_t){{p.a, -p.w}, {q.a, -q.w}} : (outline_line_t){p, q};
+    if (CONFIG_64BIT && w->band_of != NULL && w->present > w->few) refine(w);
     envelope_seek(h, p.a);
     pencil_t v = h->l[-1];
     int err = 0;

@@ -13,7 +13,9 @@
  *
  * A window is a trapezoid [a0, a1] between two lines of the chart, which are kept as they were: a window is cut as
  * often as one likes without moving, and what has been cut joins again when both its lines are the same. So windows are
- * as many as there are corners in what is not covered. They lie in bins of a; one reaches no farther than its bin.
+ * as many as there are corners in what is not covered. They lie in bins of a; one reaches no farther than its bin. In a
+ * bin they are listed by the band of w where they begin, high ones by themselves; as windows become many so do bands,
+ * where most of them lie, so that lists are short however deep a surface is.
  *
  * Cost: a facet that has no window over it pays a look at the bins it spans; one that has, some ten divisions for each.
  * Error: half a unit where a line is evaluated; an abscissa where two lines cross is rounded to a unit. */
@@ -25,9 +27,9 @@
 
 typedef struct window {
     int32_t a0, a1;
-    outline_line_t lo, hi;
     int32_t low, high; /* no part of it is lower or higher */
-    int32_t next;      /* of its bin, or of the free ones; -1: none */
+    int32_t next;      /* of its list, or of the free ones; -1: none */
+    outline_line_t lo, hi;
 } window_t;
 
 typedef struct windows {
@@ -37,8 +39,11 @@ typedef struct windows {
     envelope_t *above;      /* shares that, or NULL */
     int32_t *list;          /* of each bin: 1 + bands */
     int8_t shift;           /* an abscissa's bin is (a + 2^30) >> shift */
-    int8_t bands;           /* 0 or WINDOWS_BANDS */
+    int32_t bands;          /* 0, or WINDOWS_BANDS or more */
+    int32_t most_bands;     /* there is room for */
+    uint16_t *band_of;      /* each of WINDOWS_LEVELS levels of the ordinate; NULL: bands are equally high */
     int32_t present;        /* windows there are */
+    int32_t few;            /* if there are more, bands become more */
 } windows_t;
 
 /* An interval of an edge, as fractions of its way from left to right, or of the height of a vertical one from below. */
@@ -46,11 +51,13 @@ typedef struct windows_part {
     int32_t from_q30, to_q30;
 } windows_part_t;
 
-#define WINDOWS_BANDS 32
+#define WINDOWS_BANDS 32 /* to begin with */
+#define WINDOWS_LEVEL_BITS 12
+#define WINDOWS_LEVELS (1 << WINDOWS_LEVEL_BITS)
 
-/* No windows; above NULL; room for as many as fit into `bytes` of mem (aligned to 8), beside bins for nx columns.
- * Returns 0 or ERR_FULL. */
-int windows_init(windows_t *w, int32_t nx, void *mem, size_t bytes);
+/* No windows; above NULL; room for as many as fit into `bytes` of mem (aligned to 8), beside the bins for a surface of
+ * n rows or columns. Returns 0 or ERR_FULL. */
+int windows_init(windows_t *w, int32_t n, void *mem, size_t bytes);
 
 /* Bytes that have been in use. */
 size_t windows_bytes(const windows_t *w);

@@ -8,11 +8,13 @@ static inline int32_t windows_bin(const windows_t *w, int32_t a) {
     return (int32_t)(((int64_t)a + (INT64_C(1) << 30)) >> w->shift);
 }
 
-#define WINDOWS_BAND_SHIFT 26 /* an ordinate's band is (w + 2^30) >> that */
-_Static_assert((INT64_C(1) << 31) >> WINDOWS_BAND_SHIFT == WINDOWS_BANDS, "bands cover all ordinates");
+static inline int32_t windows_level(int32_t v) {
+    return (int32_t)(((int64_t)v + (INT64_C(1) << 30)) >> (31 - WINDOWS_LEVEL_BITS));
+}
 
-static inline int32_t windows_band(int32_t v) {
-    return (int32_t)(((int64_t)v + (INT64_C(1) << 30)) >> WINDOWS_BAND_SHIFT);
+static inline int32_t windows_band(const windows_t *w, int32_t v) {
+    if (CONFIG_64BIT && w->band_of != NULL) return w->band_of[windows_level(v)];
+    return windows_level(v) / (WINDOWS_LEVELS / WINDOWS_BANDS);
 }
 
 /* Lists of a bin that may hold windows from low to high: 0, and then from first to last. */
@@ -24,7 +26,8 @@ typedef struct windows_lists {
 static inline windows_lists_t windows_lists(const windows_t *w, int32_t bin, int32_t low, int32_t high) {
     int32_t *of = w->list + bin * (1 + w->bands);
     if (w->bands == 0) return (windows_lists_t){of, 1, 0};
-    return (windows_lists_t){of, 1 + windows_band(low), 1 + windows_band(high)};
+    const int32_t first = windows_band(w, low);
+    return (windows_lists_t){of, first == 0 ? 1 : first, 1 + windows_band(w, high)};
 }
 
 /* The list after list k, more than l->last after the last one. */
@@ -32,10 +35,12 @@ static inline int32_t windows_next_list(const windows_lists_t *l, int32_t k) {
     return k == 0 ? l->first : k + 1;
 }
 
-/* The list of a window. */
+/* The list of a window: that of the band where it begins; 0 if it reaches beyond the next one. */
 static inline int32_t *windows_list_of(const windows_t *w, int32_t bin, int32_t low, int32_t high) {
-    const windows_lists_t l = windows_lists(w, bin, low, high);
-    return l.first == l.last ? &l.of[l.first] : &l.of[0];
+    int32_t *of = w->list + bin * (1 + w->bands);
+    if (w->bands == 0) return of;
+    const int32_t first = windows_band(w, low);
+    return windows_band(w, high) <= first + 1 ? &of[1 + first] : of;
 }
 
 /* The ordinate of a line at x, within its range. */
