@@ -4,6 +4,7 @@
 #include "num/exp_core.h"
 #include "num/func.h"
 #include "num/sin_core.h"
+#include "num/trig_core.h"
 
 #if EVAL_ROW_MAX > 1
 
@@ -48,14 +49,31 @@ static __attribute__((noinline)) void exponential(eval_row_work_t *w, num_t (*f)
 }
 
 /* sin, or a quarter of a turn on and whatever the sign, cos. */
-static __attribute__((noinline)) void circular(eval_row_work_t *w, num_t (*f)(num_t), eval_row_operand_t a,
-                                               value_t *to) {
+static __attribute__((noinline)) void circular_words(eval_row_work_t *w, num_t (*f)(num_t), eval_row_operand_t a,
+                                                     value_t *to) {
     const uint32_t quarter = f == func_cos ? 64 : 0;
     sin_core_t r;
     uint32_t sign;
     EACH_REAL((sign = words_sign(words_of((uint64_t)a.at->m)),
                r = sin_core(words_with_sign(words_of((uint64_t)a.at->m), sign), a.at->e, quarter), r.sure),
               num_double_round_words(r.m, r.e, quarter ? r.sign : r.sign ^ sign))
+}
+
+static inline num_t sine_of(const value_t *a, uint32_t steps, uint32_t quarter) {
+    const int64_t turned = -(int64_t)((steps + quarter) >> 7 & 1), sign = quarter ? turned : turned ^ a->m;
+    const trig_small_t s = trig_small(trig_rest_q69(ints_abs64(a->m), a->e, steps));
+    const uint64_t u = trig_sine_q62(steps + quarter, s); /* not 0, below 2^63 */
+    const int n = ints_clz64(u);
+    return num_double_round(u << n, -62 - n, sign);
+}
+/* The same with products of 64 bits, as func_sin and func_cos do it but for a multiple of pi, where a zero may be. */
+static __attribute__((noinline)) void circular(eval_row_work_t *w, num_t (*f)(num_t), eval_row_operand_t a,
+                                               value_t *to) {
+    const uint32_t quarter = f == func_cos ? 64 : 0;
+    uint32_t steps;
+    EACH_REAL(TRIG_WHOLE(a.at->e) &&
+                  (steps = trig_nearest(ints_abs64(a.at->m), a.at->e), ((steps + quarter) & 127) != 0),
+              sine_of(a.at, steps, quarter))
 }
 
 #endif
@@ -65,8 +83,8 @@ void eval_row_real(eval_row_work_t *w, num_t (*f)(num_t), eval_row_operand_t a, 
 #if CONFIG_ROW_FUNCTIONS
     else if (f == func_exp)
         exponential(w, f, a, to);
-    else if (NUM_DOUBLE_NARROW && (f == func_sin || f == func_cos))
-        circular(w, f, a, to);
+    else if (f == func_sin || f == func_cos)
+        NUM_DOUBLE_NARROW ? circular_words(w, f, a, to) : circular(w, f, a, to);
 #endif
     else
         real_any(w, f, a, to);

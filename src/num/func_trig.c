@@ -5,9 +5,7 @@
  * matter (M. Payne and R. Hanek, "Radian reduction for trigonometric functions", SIGNUM 18, 1983): any
  * argument has an exact meaning, so sin(1e15) is as good as sin(1). */
 #include "num/func.h"
-#include "num/func_inner.h"
-#include "num/func_tables.h"
-#include "num/num_fast.h"
+#include "num/trig_core.h"
 
 /* The fraction of a turn, Q128, of m * 2^e for e > -64 (error below 2^-127). */
 static wide_u_t turns(uint64_t m, int32_t e) {
@@ -48,53 +46,24 @@ static uint32_t reduce_large(num_t a, wide_t *r) {
 static uint32_t reduce(num_t a, wide_t *r) {
     a.m = (int64_t)ints_abs64(a.m);
     if (a.e + 62 >= 20) return reduce_large(a, r);
-    int n = -(a.e + 43);                                                                  /* at least 0 */
-    uint32_t a11 = n < 31 ? (uint32_t)((uint64_t)a.m >> 32) >> n : 0;                     /* Q11 */
-    uint32_t k = (uint32_t)((wide_mul_u32(a11, 1367130551) + ((uint64_t)1 << 35)) >> 36); /* 128/pi in Q25 */
-    /* pi/128 in Q158 is 0x01921fb54442d184'69898cc51701b839'a252049c */
-    wide_u_t low = wide_mul_u64_u32(0x69898cc51701b839, k);
-    wide_t step = {(int64_t)(low.hi + k * 0x01921fb54442d184u), low.lo};
-    step = wide_add(step, wide_from_s64((int64_t)(wide_mul_u32(k, 0xa252049c) >> 32)));
-    *r = wide_sub(wide_shl(wide_from_s64(a.m), a.e + 126), step);
+    const uint32_t k = trig_nearest((uint64_t)a.m, a.e);
+    *r = wide_sub(wide_shl(wide_from_s64(a.m), a.e + 126), trig_steps(k));
     return k & 255;
 }
 
-/* sin r = r - r * u and cos r = 1 - c; u, c in Q74. */
-typedef struct small {
-    int64_t r; /* Q69 */
-    uint64_t u, c;
-} small_t;
-
-static small_t small_angle(wide_t r126) {
-    small_t s;
-    s.r = (int64_t)wide_sar(r126, 57).lo; /* below 2^62.7 */
-    uint64_t z = func_square(s.r);        /* Q74, below 2^61.4 */
-    uint32_t zh = (uint32_t)(z >> 30);    /* Q44, 32 bits */
-    /* u = z/6 - z^2 (1/120 - z/5040) */
-    uint32_t q = 2290649225u - (uint32_t)(wide_mul_u32(zh, 54539267) >> 44); /* Q38 */
-    uint64_t t = wide_mul_u32((uint32_t)(wide_mul_u32(zh, q) >> 32), zh);    /* Q94 */
-    s.u = wide_mulhi_u64(z, 0x2aaaaaaaaaaaaaabu) - (t >> 20);
-    /* c = z/2 - z^2 (1/24 - z/720) */
-    q = 2863311531u - (uint32_t)(wide_mul_u32(zh, 95443718) >> 44); /* Q36 */
-    t = wide_mul_u32((uint32_t)(wide_mul_u32(zh, q) >> 32), zh);    /* Q92 */
-    s.c = (z >> 1) - (t >> 18);
-    return s;
+static trig_small_t small_angle(wide_t r126) {
+    return trig_small((int64_t)wide_sar(r126, 57).lo);
 }
 
 /* sin(k pi/128 + r), or its negative when sign < 0. */
-static num_t sine_at(uint32_t k, wide_t r126, small_t s, int64_t sign) {
+static num_t sine_at(uint32_t k, wide_t r126, trig_small_t s, int64_t sign) {
     if (k & 128) sign = ~sign;
     if ((k & 127) == 0) { /* relative to r: a zero of the function may be near */
         num_t r = num_from_wide(r126, 126);
         r = num_sub(r, num_mul(r, num_from_fixed((int64_t)s.u, 74)));
         return sign < 0 ? num_neg(r) : r;
     }
-    int64_t sr = s.r - (wide_mulhi_s64(s.r, (int64_t)s.u) >> 10); /* sin r, Q69 */
-    /* In the second quadrant, which cannot be guessed, it is cos(j pi/128 + r). */
-    const int32_t second = -(int32_t)(k >> 6 & 1), j = ((int32_t)(k & 63) ^ second) - second + (second & 64);
-    const int64_t a = (int64_t)func_tables_sin[j], b = ints_with_sign(func_tables_sin[64 - j], second);
-    int64_t small = wide_mulhi_s64(b, sr) - (wide_mulhi_s64(a, (int64_t)s.c) >> 5); /* Q67 */
-    return num_fast_normal((uint64_t)(a + ((small + 16) >> 5)), -62, sign);
+    return num_fast_normal(trig_sine_q62(k, s), -62, sign);
 }
 
 /* Below 2^-32, sin a is a and cos a is 1 to 2^-64. */
@@ -122,7 +91,7 @@ void func_sincos(num_t a, num_t *sine, num_t *cosine) {
     if (a.m == 0 || is_tiny(a)) return;
     wide_t r;
     uint32_t k = reduce(a, &r);
-    small_t s = small_angle(r);
+    trig_small_t s = small_angle(r);
     *sine = sine_at(k, r, s, a.m);
     *cosine = sine_at(k + 64, r, s, 0);
 }

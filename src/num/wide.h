@@ -112,6 +112,7 @@ static inline uint64_t wide_mul_low_u64(uint64_t a, uint64_t b) {
 
 /* a * b of 96 bits. */
 static inline wide_u_t wide_mul_u64_u32(uint64_t a, uint32_t b) {
+    if (sizeof(void *) >= 8) return wide_mul_u64(a, b);
     uint64_t lo = wide_mul_u32((uint32_t)a, b), hi = wide_mul_u32((uint32_t)(a >> 32), b) + (lo >> 32);
     return (wide_u_t){hi >> 32, hi << 32 | (uint32_t)lo};
 }

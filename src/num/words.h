@@ -170,6 +170,7 @@ static inline uint32_t words_sign(words_t a) {
 /* a with the sign of s, which is 0 or ~0: (a ^ s) - s. */
 static inline words_t words_with_sign(words_t a, uint32_t s) {
     if (__builtin_constant_p(s) && s == 0) return a;
+    if (sizeof(void *) >= 8) return words_of((words_join(a) ^ (uint64_t)(int32_t)s) - (uint64_t)(int32_t)s);
     return words_sub(words(words_hi(a) ^ s, words_lo(a) ^ s), words(s, s));
 }
 static inline words_t words_mul_s32(int32_t a, int32_t b) {
