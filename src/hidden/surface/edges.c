@@ -79,9 +79,10 @@ static int place_part(edges_t *e, int32_t from, int32_t to) {
     return runs_add(&e->runs, k->run, k->family, k->line, base + a, base + b);
 }
 
-int edges_take_part(void *ctx, envelope_part_t part) {
+int edges_take_part(void *ctx, envelope_part_t part, bool first) {
     edges_t *e = ctx;
     int32_t from = part.from_q30;
+    (void)first;
     if (e->edge.quiet) return 0;
     if (e->behinds == 0) return place_part(e, from, part.to_q30);
     for (int32_t k = 0; k < e->behinds && from < part.to_q30; k++) {
@@ -101,13 +102,13 @@ int edges_take_unseen(edges_t *e, int64_t s0, int64_t s1) {
     e->edge.way_q46 = s1 - s0;
     if (e->outline_only || e->work == EDGES_COVER) return 0;
     if (e->cover == COVER_STRIP && !e->strip.first) return 0;
-    return edges_take_part(e, (envelope_part_t){.to_q30 = ONE_Q30});
+    return edges_take_part(e, (envelope_part_t){.to_q30 = ONE_Q30}, false);
 }
 
 /* Of a line that was cut to the strip. */
-static int take_in_strip(void *ctx, envelope_part_t part) {
+static int take_in_strip(void *ctx, envelope_part_t part, bool first) {
     const edges_t *e = ctx;
-    return strip_keep(&e->strip, &part) ? edges_take_part(ctx, part) : 0;
+    return strip_keep(&e->strip, &part) ? edges_take_part(ctx, part, first) : 0;
 }
 
 bool edges_facet_is_right(const edges_t *e, pencil_t p0, pencil_t p1) {

@@ -26,7 +26,7 @@ typedef struct place {
 } edges_place_t;
 
 /* Takes a visible part of the line at hand, in fractions of the chart, and places it on the edge in space. */
-int edges_take_part(void *ctx, envelope_part_t part);
+int edges_take_part(void *ctx, envelope_part_t part, bool first);
 /* Takes the part [s0, s1] of the edge without asking what is in front of it. */
 int edges_take_unseen(edges_t *e, int64_t s0, int64_t s1);
 /* Clips a line of the chart, or notes it as a side of the facet at hand. */

@@ -6,8 +6,10 @@ static int take_parts(edges_t *e, const windows_part_t *part, int32_t n, bool tu
     int err = 0;
     for (int32_t k = 0; k < n && err == 0; k++) {
         const int32_t from = part[k].from_q30, to = part[k].to_q30;
-        err = edges_take_part(e, turn ? (envelope_part_t){.from_q30 = ONE_Q30 - to, .to_q30 = ONE_Q30 - from}
-                                      : (envelope_part_t){.from_q30 = from, .to_q30 = to});
+        err = edges_take_part(e,
+                              turn ? (envelope_part_t){.from_q30 = ONE_Q30 - to, .to_q30 = ONE_Q30 - from}
+                                   : (envelope_part_t){.from_q30 = from, .to_q30 = to},
+                              false);
     }
     return err;
 }

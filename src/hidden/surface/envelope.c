@@ -16,6 +16,13 @@ _Static_assert(2 * (31 + 31) + 2 <= 2 * 63, "an orientation is the difference of
 
 #define ONE_Q30 (INT32_C(1) << 30)
 
+/* Called, vertices would be put together in memory of halves just written. */
+#if CONFIG_64BIT
+#define INLINE_64 inline __attribute__((always_inline))
+#else
+#define INLINE_64 __attribute__((noinline))
+#endif
+
 /* Room for the vertices that one step of a clip may add: foot, start, end, and the far side of a jump. */
 #define STEP_ROOM 4
 
@@ -165,7 +172,8 @@ static pencil_t beside(pencil_t end, pencil_t x, int32_t w0, int32_t w1) {
 
 /* The crossing of the edge p-q with the piece v-w, rounded, inside both ranges of a. If the signs that called for
  * it differ only by the dead zone there is none: the edge then emerges at v, or goes under at w, itself. */
-pencil_t envelope_crossing(pencil_t p, pencil_t q, pencil_t v, pencil_t w, bool emerges, envelope_count_t *count) {
+static INLINE_64 pencil_t crossing(pencil_t p, pencil_t q, pencil_t v, pencil_t w, bool emerges,
+                                   envelope_count_t *count) {
     int64_t ov = envelope_orient(p, q, v), ow = envelope_orient(p, q, w);
     uint64_t nv = ov < 0 ? 0 - (uint64_t)ov : (uint64_t)ov, nw = ow < 0 ? 0 - (uint64_t)ow : (uint64_t)ow;
     int32_t t = 0;
@@ -196,7 +204,7 @@ static inline void begin(clip_t *c, int32_t at_q30) {
 static inline int finish(clip_t *c, int32_t at_q30, envelope_take_t take, void *ctx) {
     c->visible = false;
     if (take == NULL || at_q30 <= c->from_q30) return 0;
-    return take(ctx, (envelope_part_t){c->from_q30, at_q30, c->first});
+    return take(ctx, (envelope_part_t){c->from_q30, at_q30}, c->first);
 }
 
 /* Is the horizon's vertex x, at the very abscissa of the edge's end, below that by more than the dead zone of a steep
@@ -265,7 +273,7 @@ static inline __attribute__((always_inline)) int walk(envelope_t *h, pencil_t p,
         if (!above && w.a == q.a) above = drops_from(q, w, v);
         if (above != c.visible) {
             if ((err = room(h)) != 0) return err;
-            pencil_t x = envelope_crossing(p, q, v, w, !c.visible, count);
+            pencil_t x = crossing(p, q, v, w, !c.visible, count);
             int32_t at = envelope_fraction_at(p, q, x);
             if (c.visible) {
                 if ((err = finish(&c, at, take, ctx)) != 0) return err;

@@ -45,15 +45,16 @@ typedef struct envelope {
 /* An interval of an edge, as fractions of its way in the chart from its left to its right end. */
 typedef struct envelope_part {
     int32_t from_q30, to_q30;
-    bool first; /* it rose from the floor: nothing has been at these abscissae yet */
 } envelope_part_t;
 
 typedef struct envelope_count {
     int64_t tests, crossings;
 } envelope_count_t;
 
-/* Takes visible parts from left to right. Returns 0 or an error that ends the clip. */
-typedef int (*envelope_take_t)(void *ctx, envelope_part_t part);
+/* Takes visible parts from left to right; first: it rose from the floor, nothing has been at these abscissae yet.
+ * Returns 0 or an error that ends the clip. (A flag among the fractions would send them through memory, and a processor
+ * waits for what is read in larger pieces than it was written.) */
+typedef int (*envelope_take_t)(void *ctx, envelope_part_t part, bool first);
 
 /* Makes an empty upper horizon, and a lower one unless lower is NULL, in pool[0..count). count >= 16.
  * Returns 0 or ERR_FULL when count is too small. */
@@ -78,10 +79,6 @@ typedef struct envelope_limits {
     int32_t left, right;
 } envelope_limits_t;
 envelope_limits_t envelope_limits(envelope_t *h, int32_t a);
-
-/* Where the edge p-q crosses the line v-w, rounded, p.a <= result.a <= q.a. If the signs that called for it differ only
- * by the dead zone there is no crossing: the edge then emerges at v, or goes under at w, itself. */
-pencil_t envelope_crossing(pencil_t p, pencil_t q, pencil_t v, pencil_t w, bool emerges, envelope_count_t *count);
 
 /* Where x lies on the edge p-q, measured along its longer side (q30). */
 int32_t envelope_fraction_at(pencil_t p, pencil_t q, pencil_t x);

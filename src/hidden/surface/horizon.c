@@ -30,9 +30,10 @@ static num_t dot(const num_t a[2], const num_t p[]) {
     return num_add(num_mul(a[0], p[0]), num_mul(a[1], p[1]));
 }
 
-static int take_part(void *ctx, envelope_part_t part) {
+static int take_part(void *ctx, envelope_part_t part, bool first) {
     drawing_t *d = ctx;
     int64_t at = d->cell * INK_ONE;
+    (void)first;
     return runs_add(&d->runs, &d->run, INK_PROFILE, d->line, at + part.from_q30, at + part.to_q30);
 }
 
@@ -111,7 +112,7 @@ static int draw_profile(drawing_t *d, int32_t k, num_t depth) {
             d->segments++;
             err = hidden_pause(d->pause);
             if (err == 0)
-                err = d->flat ? take_part(d, (envelope_part_t){.to_q30 = 1 << 30})
+                err = d->flat ? take_part(d, (envelope_part_t){.to_q30 = 1 << 30}, false)
                               : horizons_clip(&d->horizons, last, at);
         }
         last = at;

@@ -15,25 +15,25 @@ void horizons_lend(horizons_t *h, int16_t *mem, int bits) {
 }
 
 /* Hands a part on, turned round if the line runs from right to left. */
-static int pass_on(horizons_t *h, envelope_part_t part) {
+static int pass_on(horizons_t *h, envelope_part_t part, bool first) {
     if (h->flip) {
         int32_t from = ONE_Q30 - part.to_q30;
         part.to_q30 = ONE_Q30 - part.from_q30;
         part.from_q30 = from;
     }
-    return h->take(h->ctx, part);
+    return h->take(h->ctx, part, first);
 }
 
-static int take_upper(void *ctx, envelope_part_t part) {
+static int take_upper(void *ctx, envelope_part_t part, bool first) {
     horizons_t *h = ctx;
-    h->whole = part.from_q30 == 0 && part.to_q30 == ONE_Q30 && !part.first;
-    return pass_on(h, part);
+    h->whole = part.from_q30 == 0 && part.to_q30 == ONE_Q30 && !first;
+    return pass_on(h, part, first);
 }
 
 /* What is first at its abscissae has been taken by the upper horizon already, if there is one. */
-static int take_lower(void *ctx, envelope_part_t part) {
+static int take_lower(void *ctx, envelope_part_t part, bool first) {
     horizons_t *h = ctx;
-    return part.first && h->has_upper ? 0 : pass_on(h, part);
+    return first && h->has_upper ? 0 : pass_on(h, part, first);
 }
 
 /* A horizon's limits on both sides of a vertical line as one: the higher one for a line in the eye's own plane, which
@@ -56,14 +56,18 @@ static int clip_vertical(horizons_t *h, pencil_t l, pencil_t r) {
         top = -ENVELOPE_LIMIT; /* nothing hides it on both sides */
     if (hi > top + ENVELOPE_NOISE) {
         if (top > lo + ENVELOPE_NOISE) from = (int32_t)pencil_fraction((uint32_t)(top - lo), (uint32_t)height);
-        int err = pass_on(h, falling ? (envelope_part_t){.to_q30 = ONE_Q30 - from}
-                                     : (envelope_part_t){.from_q30 = from, .to_q30 = ONE_Q30});
+        int err = pass_on(h,
+                          falling ? (envelope_part_t){.to_q30 = ONE_Q30 - from}
+                                  : (envelope_part_t){.from_q30 = from, .to_q30 = ONE_Q30},
+                          false);
         if (err != 0 || from == 0) return err;
     }
     if (lo < bottom - ENVELOPE_NOISE) {
         if (bottom < hi - ENVELOPE_NOISE) to = (int32_t)pencil_fraction((uint32_t)(bottom - lo), (uint32_t)height);
-        return pass_on(h, falling ? (envelope_part_t){.from_q30 = ONE_Q30 - to, .to_q30 = ONE_Q30}
-                                  : (envelope_part_t){.to_q30 = to});
+        return pass_on(h,
+                       falling ? (envelope_part_t){.from_q30 = ONE_Q30 - to, .to_q30 = ONE_Q30}
+                               : (envelope_part_t){.to_q30 = to},
+                       false);
     }
     return 0;
 }
