@@ -1,6 +1,6 @@
 /* target.h - the file that an output becomes, all at once: what was there before stays until the new one is whole, so
  * that neither a full disk nor a program that is killed leaves half a drawing, or the beginning of one and the rest of
- * another.
+ * another. (After a power failure either may be lost: to wait for the disk would take longer than a plot.)
  *
  * The new file has no name until target_keep gives it one: nothing is left behind, whatever happens. What cannot be
  * replaced is written in place, as every program does it: devices and pipes, what a link leads to, a file of somebody
