@@ -135,14 +135,19 @@ static void read_watch(const watch_t *w, report_t *r) {
         }
 }
 
-static int cannot_write(job_t *job, const char *name, int err) {
+static const char *what_is_wrong(int err, const machine_t *machine) {
+    if (err != ERR_MACHINE) return error_text(err);
+    return machine_is_possible(machine)
+               ? "the paper reaches beyond the machine: set paper, or set machine size"
+               : "so fast the steps leave no time for pulses and DIR set-up: set machine speed, steps, pulse or setup";
+}
+
+static int cannot_write(job_t *job, const machine_t *machine, const char *name, int err) {
     progress_wipe();
     if (err == ERR_FILE && errno)
         fprintf(stderr, "ridgeline: %s: %s\n", name, strerror(errno));
     else
-        fprintf(stderr, "ridgeline: %s: %s\n", name,
-                err == ERR_MACHINE ? "the paper reaches beyond the machine: set paper, or set machine size"
-                                   : error_text(err));
+        fprintf(stderr, "ridgeline: %s: %s\n", name, what_is_wrong(err, machine));
     return job->trouble = err;
 }
 
@@ -150,7 +155,7 @@ static int write_outputs(job_t *job, const machine_t *machine, char *const *name
     for (int i = 0; i < job->outputs; i++) {
         errno = 0;
         int err = writer_write(&job->drawing, machine, name[i]);
-        if (err) return cannot_write(job, name[i], err);
+        if (err) return cannot_write(job, machine, name[i], err);
     }
     return 0;
 }
@@ -209,7 +214,7 @@ static int draw_page(job_t *job, const plot_t *plot, char **name) {
     double start = progress_now();
     if (streams) {
         err = text_end(&stream, d);
-        if (err) return cannot_write(job, name[0], err);
+        if (err) return cannot_write(job, &settings->machine, name[0], err);
     } else {
         err = write_outputs(job, &settings->machine, name);
         if (err) return err;

@@ -31,8 +31,8 @@ typedef struct option {
 #define FIELD(name) offsetof(machine_t, name)
 static const option_t options[] = {
     {"st$eps", STEPS, 0, 0, 0, 0, SAID("steps must be between 1 and 10000 per mm")},
-    {"sp$eed", NUMBER, 3, 100, 2000000, FIELD(draw_speed_um_s), SAID("speed must be between 0.1 and 2000 mm/s")},
-    {"tr$avel", NUMBER, 3, 100, 2000000, FIELD(travel_speed_um_s), SAID("travel must be between 0.1 and 2000 mm/s")},
+    {"sp$eed", NUMBER, 3, 1000, 2000000, FIELD(draw_speed_um_s), SAID("speed must be between 1 and 2000 mm/s")},
+    {"tr$avel", NUMBER, 3, 1000, 2000000, FIELD(travel_speed_um_s), SAID("travel must be between 1 and 2000 mm/s")},
     {"acc$el", NUMBER, 3, 1000, 100000000, FIELD(accel_um_s2), SAID("accel must be between 1 and 100000 mm/s^2")},
     {"ju$nction", NUMBER, 3, 0, 10000, FIELD(junction_um), SAID("junction must be between 0 and 10 mm")},
     {"lif$t", NUMBER, 6, 0, 10000000, FIELD(lift_us), SAID("lift must be between 0 and 10 s")},

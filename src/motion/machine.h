@@ -35,5 +35,14 @@ typedef struct machine {
 } machine_t;
 
 void machine_default(machine_t *m);
+/* Whether motion can be planned and stepped for it: steps/mm above 1/16, speeds 1 mm/s..4 m/s, acceleration 1 mm/s^2..
+ * 100 m/s^2, junction deviation up to 10 mm, delays up to 60 s, set-up and pulse up to 1 ms, and no motor faster than
+ * machine_gap_ticks allows, with an eighth to spare for a step that was put off. */
+bool machine_is_possible(const machine_t *m);
+/* Shortest time between two pulses of a motor: the pulse, then low as long as a pulse or a change of DIR needs, and 1
+ * us for the latency that the step generator tolerates. */
+uint32_t machine_gap_ticks(const machine_t *m);
+/* Rounded up, and no more: the moments that pins change at are ticks. */
+uint32_t machine_ticks_from_ns(uint32_t ns);
 
 #endif

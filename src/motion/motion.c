@@ -6,39 +6,6 @@
 
 #define PIECES_MAX 64
 #define ROOM 6 /* pieces in the queue, for a line: its three parts, and what parts them */
-#define DELAY_MAX_US 60000000u
-
-/* One tick more than the time asked for would be needed only if it fell between two ticks. */
-static uint32_t ticks_from_ns(uint32_t ns) {
-    return (uint32_t)(((uint64_t)ns * (HAL_TICK_HZ / 1000000) + 999) / 1000);
-}
-
-static bool in_range(uint32_t value, uint32_t lo, uint32_t hi) {
-    return value >= lo && value <= hi;
-}
-
-/* Shortest time between two pulses of a motor: the pulse, then low as long as a pulse or a change of DIR needs, and 1
- * us for the latency that the step generator tolerates. */
-static uint32_t min_gap_ticks(const machine_t *mc) {
-    uint32_t pulse = ticks_from_ns(mc->pulse_ns), setup = ticks_from_ns(mc->dir_setup_ns);
-    return pulse + (setup > pulse ? setup : pulse) + HAL_TICK_HZ / 1000000;
-}
-
-static bool machine_ok(const machine_t *mc) {
-    if (!in_range(mc->draw_speed_um_s, 1000, 4000000) || !in_range(mc->travel_speed_um_s, 1000, 4000000)) return false;
-    if (!in_range(mc->accel_um_s2, 10000, 100000000) || mc->junction_um > 10000) return false;
-    if (mc->lift_us > DELAY_MAX_US || mc->lower_us > DELAY_MAX_US || mc->enable_us > DELAY_MAX_US) return false;
-    if (!in_range(mc->pulse_ns, 1, 1000000) || mc->dir_setup_ns > 1000000) return false;
-    if (mc->width_um < 0 || mc->height_um < 0) return false;
-    uint32_t speed = mc->draw_speed_um_s > mc->travel_speed_um_s ? mc->draw_speed_um_s : mc->travel_speed_um_s;
-    uint64_t fastest = mc->kinematics == MACHINE_COREXY ? (uint64_t)speed * 1415 / 1000 : speed;
-    for (int i = 0; i < 2; i++) {
-        if (mc->steps_per_mm_q16[i] < 4096) return false;
-        uint64_t steps_s = (fastest * mc->steps_per_mm_q16[i] >> 16) / 1000;
-        if (steps_s * min_gap_ticks(mc) / 8 * 9 > HAL_TICK_HZ) return false; /* one that was put off must catch up */
-    }
-    return true;
-}
 
 static int32_t lat_from_um(int32_t um) {
     return (int32_t)((int64_t)um * LAT_PER_MM / 1000);
@@ -47,7 +14,7 @@ static int32_t lat_from_um(int32_t um) {
 static int init(motion_t *m, const machine_t *machine, void *mem, size_t bytes, bool estimate) {
     *m = (motion_t){.machine = *machine, .estimate = estimate};
     const machine_t *mc = &m->machine;
-    if (!machine_ok(mc)) return m->error = ERR_MACHINE;
+    if (!machine_is_possible(mc)) return m->error = ERR_MACHINE;
 
     uint32_t pieces = 0;
     if (!estimate) {
@@ -69,8 +36,9 @@ static int init(motion_t *m, const machine_t *machine, void *mem, size_t bytes, 
     m->near_lat = (int32_t)(((uint64_t)LAT_PER_MM << 14) / finest); /* 2^16 / 4 = 2^14: a quarter step */
     kinematics_init(&m->kin, mc);
     planner_init(&m->planner, ring, blocks, mc->junction_um);
-    tracer_init(&m->tracer, &m->kin, mc->accel_um_s2, min_gap_ticks(mc), estimate);
-    if (!estimate) stepgen_init(queue, pieces, ticks_from_ns(mc->pulse_ns), ticks_from_ns(mc->dir_setup_ns));
+    tracer_init(&m->tracer, &m->kin, mc->accel_um_s2, machine_gap_ticks(mc), estimate);
+    if (!estimate)
+        stepgen_init(queue, pieces, machine_ticks_from_ns(mc->pulse_ns), machine_ticks_from_ns(mc->dir_setup_ns));
     m->stats.memory_bytes = (uint32_t)(queue_bytes + blocks * sizeof(planner_block_t));
     return 0;
 }

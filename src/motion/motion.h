@@ -62,10 +62,7 @@ typedef struct motion {
 /* Prepares a drawing. machine is copied. mem: the caller's until motion_finish, aligned to 8 bytes; about a quarter
  * becomes the queue of pieces (at most 64), the rest look-ahead. Only one motion_t that steps can be active, as there
  * is one step interrupt; any number that estimate can be.
- * Returns 0, ERR_FULL (mem below MOTION_BYTES_MIN), ERR_MACHINE (a number of the machine is out of range:
- * steps/mm above 1/16, speeds 1 mm/s..4 m/s, acceleration 10 mm/s^2..100 m/s^2, junction deviation up to 10 mm, delays
- * up to 60 s, set-up and pulse up to 1 ms, and no axis faster than pulse width and direction set-up allow: interval >=
- * 2 * (pulse + max(pulse, set-up) + 1 us)). */
+ * Returns 0, ERR_FULL (mem below MOTION_BYTES_MIN), ERR_MACHINE (not machine_is_possible). */
 int motion_init(motion_t *m, const machine_t *machine, void *mem, size_t bytes);
 /* The same planner without steps: motion_finish tells the time, lengths and lifts (steps stay 0). No hal call is made.
  * Cost: about 50 ns per segment on a desktop. */

@@ -160,6 +160,15 @@ what_the_machine_cannot_reach_leaves_no_trace() {
     [ ! -e a.vcd ]
 }
 
+steps_that_leave_no_time_for_pulses_are_told() {
+    small_scene
+    expect_status 1 ridgeline plot small.gp --set 'set machine pulse 100 setup 200 speed 40' -o a.vcd 2>err
+    expect_text err 'a.vcd: so fast the steps leave no time for pulses and DIR set-up: set machine speed'
+    [ ! -e a.vcd ]
+    ridgeline plot small.gp --set 'set machine accel 1 speed 1 travel 2000' -o a.vcd
+    ridgeline trace a.vcd >judgement
+}
+
 a_scene_behind_the_eye_is_told() {
     echo 'set view from 0,0,500 to 0,0,900; splot x*y' >bad.gp
     expect_status 2 ridgeline plot bad.gp -o a.svg 2>err
@@ -314,7 +323,7 @@ no_progress_off_a_terminal() {
     [ ! -s err ]
 }
 
-run_tests every_suffix_is_written a_scene_behind_the_eye_is_told data_that_is_no_data_is_named what_the_machine_cannot_reach_leaves_no_trace a_byte_order_mark_is_skipped what_is_no_scene_is_bad_input seg_is_what_the_format_says runs_are_the_same lines_end_on_the_limit_they_cross pages_are_numbered scene_from_stdin \
+run_tests every_suffix_is_written a_scene_behind_the_eye_is_told data_that_is_no_data_is_named what_the_machine_cannot_reach_leaves_no_trace steps_that_leave_no_time_for_pulses_are_told a_byte_order_mark_is_skipped what_is_no_scene_is_bad_input seg_is_what_the_format_says runs_are_the_same lines_end_on_the_limit_they_cross pages_are_numbered scene_from_stdin \
     continued_lines_comments_and_several_commands set_runs_before_the_scene stats_tell_every_page a_table_when_asked \
     print_goes_to_stdout data_beside_the_scene_is_found inline_data an_error_shows_line_column_and_caret \
     bad_input_draws_nothing_and_says_2 a_known_but_ignored_option_is_warned_of_once bad_options_get_a_hint \
