@@ -12,9 +12,19 @@ void num_vec_cross(const num_t a[3], const num_t b[3], num_t out[3]) {
     }
 }
 
+void num_vec_near_one(num_t v[3], int n) {
+    int32_t most = INT32_MIN;
+    for (int k = 0; k < n; k++)
+        if (v[k].m != 0 && v[k].e > most) most = v[k].e;
+    if (most == INT32_MIN) return;
+    for (int k = 0; k < 3; k++) v[k] = num_ldexp(v[k], -63 - most);
+}
+
 bool num_vec_unit(num_t v[3]) {
-    num_t length = num_sqrt(num_vec_dot(v, v));
+    num_t near_one[3] = {v[0], v[1], v[2]};
+    num_vec_near_one(near_one, 3);
+    num_t length = num_sqrt(num_vec_dot(near_one, near_one));
     if (length.undef || num_sign(length) <= 0) return false;
-    for (int k = 0; k < 3; k++) v[k] = num_div(v[k], length);
+    for (int k = 0; k < 3; k++) v[k] = num_div(near_one[k], length);
     return true;
 }

@@ -94,6 +94,7 @@ static int setup_rotation(camera_t *cam, const settings_t *s, const view_box_t *
     cam->eye[X] = num_div(num_mul(sx, sz), unit[X]);
     cam->eye[Y] = num_neg(num_div(num_mul(sx, cz), unit[Y]));
     cam->eye[Z] = num_div(cx, unit[Z]);
+    num_vec_near_one(cam->eye, 2);
     return 0;
 }
 

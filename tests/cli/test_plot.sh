@@ -160,6 +160,21 @@ what_the_machine_cannot_reach_leaves_no_trace() {
     [ ! -e a.vcd ]
 }
 
+# A unit of 10^180 or 10^-180: squares of lengths are no numbers any more. All powers of two, so that the drawing is the same.
+a_scene_is_drawn_in_any_unit() {
+    for view in 'from 6*s,8*s,3*s' '60,30; set zrange [-s:s]'; do
+        for s in 1.0 '2.0**600' '2.0**-600'; do
+            printf 's = %s; set xrange [-2*s:2*s]; set yrange [-2*s:2*s]\nset isosamples 16; set xyplane at -s; set view %s\n' "$s" "$view"
+            echo 'splot s*exp(-(x/s)**2-(y/s)**2)'
+        done >unit.gp
+        ridgeline plot unit.gp -o u.seg
+        for page in u u-2 u-3; do grep -v '#' $page.seg >$page.ink; done
+        [ -s u.ink ]
+        cmp u.ink u-2.ink
+        cmp u.ink u-3.ink
+    done
+}
+
 steps_that_leave_no_time_for_pulses_are_told() {
     small_scene
     expect_status 1 ridgeline plot small.gp --set 'set machine pulse 100 setup 200 speed 40' -o a.vcd 2>err
@@ -323,7 +338,7 @@ no_progress_off_a_terminal() {
     [ ! -s err ]
 }
 
-run_tests every_suffix_is_written a_scene_behind_the_eye_is_told data_that_is_no_data_is_named what_the_machine_cannot_reach_leaves_no_trace steps_that_leave_no_time_for_pulses_are_told a_byte_order_mark_is_skipped what_is_no_scene_is_bad_input seg_is_what_the_format_says runs_are_the_same lines_end_on_the_limit_they_cross pages_are_numbered scene_from_stdin \
+run_tests every_suffix_is_written a_scene_behind_the_eye_is_told data_that_is_no_data_is_named what_the_machine_cannot_reach_leaves_no_trace a_scene_is_drawn_in_any_unit steps_that_leave_no_time_for_pulses_are_told a_byte_order_mark_is_skipped what_is_no_scene_is_bad_input seg_is_what_the_format_says runs_are_the_same lines_end_on_the_limit_they_cross pages_are_numbered scene_from_stdin \
     continued_lines_comments_and_several_commands set_runs_before_the_scene stats_tell_every_page a_table_when_asked \
     print_goes_to_stdout data_beside_the_scene_is_found inline_data an_error_shows_line_column_and_caret \
     bad_input_draws_nothing_and_says_2 a_known_but_ignored_option_is_warned_of_once bad_options_get_a_hint \
