@@ -124,16 +124,29 @@ static void fetch_between(const run_t *r, ink_fetch_t fetch, void *ctx) {
         fetch(ctx, family, run_surface(r), run_line(r), t);
 }
 
-void tour_fetch(const tour_t *t, const pool_t *pool, int32_t k, ink_fetch_t fetch, void *ctx) {
-    if (k + 3 * TOUR_FETCH >= t->n) return;
-    if (fetch && !tour_is_plain(t, k + TOUR_FETCH))
-        fetch_between(&pool->run[end_at(t, k + TOUR_FETCH) >> 1], fetch, ctx);
-    const int32_t e = end_at(t, k + 2 * TOUR_FETCH);
-    if (t->point) __builtin_prefetch(&t->point[e & ~1]);
-    if (tour_is_plain(t, k + 2 * TOUR_FETCH)) return; /* nothing else is needed of it */
-    if (!is_of_ends(t)) __builtin_prefetch(&t->end[t->order[k + 3 * TOUR_FETCH] >> 1]);
+/* What emitting a run reads. */
+static void fetch_run(const tour_t *t, const pool_t *pool, int32_t e) {
     __builtin_prefetch(&pool->run[e >> 1]);
     __builtin_prefetch(&pool->run[e >> 1].what); /* a run may lie across two lines of the cache */
     __builtin_prefetch(&pool->mate[e]);
+    if (t->point) __builtin_prefetch(&t->point[e & ~1]);
+}
+
+/* Of a stroke whose first run is there: the vertices of that, and the next run. */
+static void fetch_on(const tour_t *t, const pool_t *pool, int32_t e, ink_fetch_t fetch, void *ctx) {
+    if (fetch) fetch_between(&pool->run[e >> 1], fetch, ctx);
+    const int32_t next = pool->mate[pool_other_end(e)];
+    if (next >= 0) fetch_run(t, pool, next);
+}
+
+void tour_fetch(const tour_t *t, const pool_t *pool, int32_t k, ink_fetch_t fetch, void *ctx) {
+    if (k + 3 * TOUR_FETCH >= t->n) return;
+    if (!tour_is_plain(t, k + TOUR_FETCH)) fetch_on(t, pool, end_at(t, k + TOUR_FETCH), fetch, ctx);
+    const int32_t e = end_at(t, k + 2 * TOUR_FETCH);
+    if (!is_of_ends(t)) __builtin_prefetch(&t->end[t->order[k + 3 * TOUR_FETCH] >> 1]);
+    if (!tour_is_plain(t, k + 2 * TOUR_FETCH))
+        fetch_run(t, pool, e);
+    else if (t->point)
+        __builtin_prefetch(&t->point[e & ~1]); /* nothing else is needed of it */
 }
 #endif
