@@ -6,56 +6,53 @@
 #define CROWD 1    /* ends to a cell: the search looks at the fewest */
 #define CROWDED 16 /* times as many, where a grid has brought little together */
 
-/* The nearest end so far, by its place, and the square of its distance. */
+/* What does not change while all cells are gone through: in registers, as far as they go. */
+typedef struct pass {
+    const spot_t *spot;
+    const place_t *place;
+    const uint32_t *start;
+    int32_t nx, ny;
+    uint32_t wide, high; /* masks of what is within a cell */
+} pass_t;
+
+/* The nearest end so far, by its place, and the square of twice its distance. */
 typedef struct best {
     uint32_t square;
     uint32_t place;
 } best_t;
 #define NOWHERE UINT32_MAX
 
-/* The square of twice the distance, which is below two cells and a half. */
-static inline uint32_t square_between(spot_t a, spot_t b) {
-    const int32_t dx = (int16_t)((a.x - b.x) * 2), dy = (int16_t)((a.y - b.y) * 2);
-    return (uint32_t)(dx * dx) + (uint32_t)(dy * dy);
-}
-
 /* Looks at the places from..to. What is nearest so far is kept without a branch, which would be guessed wrong as often
- * as not. */
-static inline __attribute__((always_inline)) void look(const spot_t *spot, spot_t at, uint32_t not, uint32_t from,
-                                                       uint32_t to, best_t *best) {
-    uint32_t square = best->square, place = best->place;
+ * as not. Twice a distance is below five cells. */
+static inline __attribute__((always_inline)) best_t look(best_t best, const spot_t *spot, uint32_t at, uint32_t not,
+                                                         uint32_t from, uint32_t to) {
     if (to - from > PLACES_SCAN) to = from + PLACES_SCAN;
     for (uint32_t k = from; k < to; k++) {
-        uint32_t d = square_between(spot[k], at) | (0u - (uint32_t)(spot[k].x < 0)); /* marked: as far as can be */
+        const uint32_t s = places_both(spot[k]), marked = 0u - (s >> 15 & 1); /* that is as far as can be */
+        const int32_t dx = (int32_t)((s - at) << 17) >> 16, dy = (int32_t)(((s >> 16) - (at >> 16)) << 17) >> 16;
+        uint32_t d = ((uint32_t)(dx * dx) + (uint32_t)(dy * dy)) | marked;
         d = k == not ? NEAR_FAR : d;
-        place = d < square ? k : place;
-        square = d < square ? d : square;
+        best.place = d < best.square ? k : best.place;
+        best.square = d < best.square ? d : best.square;
     }
-    best->square = square;
-    best->place = place;
+    return best;
 }
 
 static inline uint32_t square_of(uint32_t v) {
     return 4 * v * v;
 }
 
-/* Looks for a partner of the end in place k of the cell (x, y) in what comes after it: in its own cell, in the next,
- * and in three of the next row; each only if it is nearer than what has been found. */
-static inline uint32_t partner(const places_t *p, int32_t x, int32_t y, uint32_t k) {
-    const uint32_t *own = &p->start[y * p->nx + x], *up = own + p->nx;
-    const spot_t *spot = p->now.spot, at = spot[k];
-    const uint32_t not = (uint32_t)p->now.place[k].tip;
-    best_t best = {NEAR_FAR, NOWHERE};
-    const uint32_t wide = 1u << (p->cell_x - p->fine), high = 1u << (p->cell_y - p->fine);
-    const uint32_t in_x = (uint32_t)at.x & (wide - 1), in_y = (uint32_t)at.y & (high - 1);
-    const uint32_t left = x > 0 ? square_of(in_x + 1) : NEAR_FAR;
-    const uint32_t right = x + 1 < p->nx ? square_of(wide - in_x) : NEAR_FAR;
-    const uint32_t above = y + 1 < p->ny ? square_of(high - in_y) : NEAR_FAR;
-    look(spot, at, not, k + 1, own[1 + (x + 1 < p->nx)], &best);
-    if (above >= best.square) return best.place;
-    const int32_t from = left + above < best.square ? -1 : 0, to = right + above < best.square ? 2 : 1;
-    look(spot, at, not, up[from], up[to], &best);
-    return best.place;
+/* Looks for a partner of the end in place k of the column x in what comes after it: in its own cell and in the next,
+ * and, if they are nearer than what has been found, in three of the next row, where `up` is. */
+static inline uint32_t partner(const pass_t *p, int32_t x, const uint32_t *own, const uint32_t *up, uint32_t k) {
+    const uint32_t at = places_both(p->spot[k]), not = (uint32_t)p->place[k].tip;
+    const uint32_t in_x = at & p->wide, in_y = at >> 16 & p->high;
+    best_t best = look((best_t){NEAR_FAR, NOWHERE}, p->spot, at, not, k + 1, own[1 + (x + 1 < p->nx)]);
+    const uint32_t above = square_of(p->high + 1 - in_y);
+    if (!up || above >= best.square) return best.place;
+    const bool left = (x > 0) & (square_of(in_x + 1) + above < best.square);
+    const bool right = (x + 1 < p->nx) & (square_of(p->wide + 1 - in_x) + above < best.square);
+    return look(best, p->spot, at, not, up[x - left], up[x + 1 + right]).place;
 }
 
 static inline void link_places(const places_t *p, uint32_t i, uint32_t j) {
@@ -67,14 +64,21 @@ static inline void link_places(const places_t *p, uint32_t i, uint32_t j) {
 }
 
 /* Goes through all cells once. Returns how many links it has made. */
-static int32_t go_through(const places_t *p) {
+static __attribute__((noinline)) int32_t go_through(const places_t *p) {
+    const pass_t pass = {p->now.spot,
+                         p->now.place,
+                         p->start,
+                         p->nx,
+                         p->ny,
+                         (1u << (p->cell_x - p->fine)) - 1,
+                         (1u << (p->cell_y - p->fine)) - 1};
     int32_t made = 0;
-    for (int32_t y = 0; y < p->ny; y++) {
-        for (int32_t x = 0; x < p->nx; x++) {
-            const uint32_t *own = &p->start[y * p->nx + x];
-            for (uint32_t k = own[0]; k < own[1]; k++) {
-                if (places_is_marked(p->now.spot[k])) continue;
-                const uint32_t with = partner(p, x, y, k);
+    for (int32_t y = 0; y < pass.ny; y++) {
+        const uint32_t *row = pass.start + y * pass.nx, *up = y + 1 < pass.ny ? row + pass.nx : NULL;
+        for (int32_t x = 0; x < pass.nx; x++) {
+            for (uint32_t k = row[x]; k < row[x + 1]; k++) {
+                if (places_is_marked(pass.spot[k])) continue;
+                const uint32_t with = partner(&pass, x, row + x, up, k);
                 if (with == NOWHERE) continue;
                 link_places(p, k, with);
                 made++;

@@ -7,12 +7,6 @@
 #define FOUND 16 /* pairs of places that wait until their points have come from memory; a power of two */
 #define AHEAD 6  /* places that are compared without asking whose cell they are of */
 
-/* Both coordinates in one number. */
-static inline uint32_t both(spot_t s) {
-    return (uint32_t)(uint16_t)s.x | (uint32_t)(uint16_t)s.y << 16;
-}
-#define BOTH(x, y) ((uint32_t)(x) | (uint32_t)(y) << 16)
-
 /* The ends in the places i and j have been paired: they are so in their places, too. */
 static void link_meeting(places_t *p, uint32_t i, uint32_t j) {
     place_t *place = p->now.place;
@@ -95,29 +89,29 @@ static compare_t make_compare(const places_t *p) {
     uint32_t within = 1;
     while (within < 2 * by) within = 2 * within + 1;
     return (compare_t){.by = by,
-                       .back = BOTH(by, by),
-                       .beyond = BOTH(PLACES_MASK & ~within, PLACES_MASK & ~within),
+                       .back = PLACES_BOTH(by, by),
+                       .beyond = PLACES_BOTH(PLACES_MASK & ~within, PLACES_MASK & ~within),
                        .wide = wide,
                        .high = high,
-                       .cell = BOTH(PLACES_MASK & ~wide, PLACES_MASK & ~high),
-                       .row = BOTH(0, PLACES_MASK & ~high)};
+                       .cell = PLACES_BOTH(PLACES_MASK & ~wide, PLACES_MASK & ~high),
+                       .row = PLACES_BOTH(0, PLACES_MASK & ~high)};
 }
 
 static inline bool is_close(const compare_t *c, uint32_t from, spot_t s) {
-    return ((both(s) - from) & c->beyond) == 0;
+    return ((places_both(s) - from) & c->beyond) == 0;
 }
 
 static inline void note_close(places_t *p, found_t *f, const compare_t *c, uint32_t k, uint32_t j) {
     const spot_t *spot = p->now.spot;
-    if (is_close(c, both(spot[k]) - c->back, spot[j]) && !places_is_marked(spot[j])) note(p, f, k, j);
+    if (is_close(c, places_both(spot[k]) - c->back, spot[j]) && !places_is_marked(spot[j])) note(p, f, k, j);
 }
 
 /* Looks at what comes after the place k: in its cell, and, if it is at the border, in those beyond. */
 static void look_on(places_t *p, found_t *f, const compare_t *c, uint32_t k, bool right, bool up) {
     const spot_t *spot = p->now.spot;
-    const uint32_t n = (uint32_t)p->now.n, own = both(spot[k]), same = right ? c->row : c->cell;
+    const uint32_t n = (uint32_t)p->now.n, own = places_both(spot[k]), same = right ? c->row : c->cell;
     for (uint32_t j = k + 1; j < n && j <= k + PLACES_SCAN; j++) {
-        if (j > k + AHEAD && ((both(spot[j]) ^ own) & same) != 0) break;
+        if (j > k + AHEAD && ((places_both(spot[j]) ^ own) & same) != 0) break;
         note_close(p, f, c, k, j);
     }
     if (!up) return;
@@ -137,11 +131,11 @@ static void pair_all(places_t *p) {
     for (uint32_t k = 0; k < n; k++) {
         const spot_t s = spot[k];
         if (places_is_marked(s)) continue;
-        const uint32_t own = both(s), from = own - c.back;
+        const uint32_t own = places_both(s), from = own - c.back;
         bool meets = false;
         for (uint32_t i = 1; i <= AHEAD; i++) meets |= is_close(&c, from, spot[k + i]);
         const bool right = ((uint32_t)s.x & c.wide) + c.by > c.wide, up = ((uint32_t)s.y & c.high) + c.by > c.high;
-        const bool more = ((both(spot[k + AHEAD + 1]) ^ own) & c.cell) == 0;
+        const bool more = ((places_both(spot[k + AHEAD + 1]) ^ own) & c.cell) == 0;
         if (meets | right | up | more) look_on(p, &found, &c, k, right, up);
     }
     for (uint32_t i = found.n < FOUND ? 0 : found.n - FOUND; i < found.n; i++) look_at(p, &found, i);

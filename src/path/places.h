@@ -62,6 +62,11 @@ uint32_t places_find(const places_t *p, int32_t e, page_point_t at);
 static inline bool places_is_marked(spot_t s) {
     return s.x < 0;
 }
+/* Both coordinates in one number, x below y. */
+static inline uint32_t places_both(spot_t s) {
+    return (uint32_t)(uint16_t)s.x | (uint32_t)(uint16_t)s.y << 16;
+}
+#define PLACES_BOTH(x, y) ((uint32_t)(x) | (uint32_t)(y) << 16)
 /* The first place of the cell that a point is in, in start. */
 static inline uint32_t *places_cell(const places_t *p, page_point_t at) {
     return &p->start[((at.y_lat - p->box.y0) >> p->cell_y) * p->nx + ((at.x_lat - p->box.x0) >> p->cell_x)];
