@@ -8,7 +8,7 @@
 
 /* What does not change while all cells are gone through: in registers, as far as they go. */
 typedef struct pass {
-    const spot_t *spot;
+    const uint32_t *spot;
     const place_t *place;
     const uint32_t *start;
     int32_t nx, ny;
@@ -24,11 +24,11 @@ typedef struct best {
 
 /* Looks at the places from..to. What is nearest so far is kept without a branch, which would be guessed wrong as often
  * as not. Twice a distance is below five cells. */
-static inline __attribute__((always_inline)) best_t look(best_t best, const spot_t *spot, uint32_t at, uint32_t not,
+static inline __attribute__((always_inline)) best_t look(best_t best, const uint32_t *spot, uint32_t at, uint32_t not,
                                                          uint32_t from, uint32_t to) {
     if (to - from > PLACES_SCAN) to = from + PLACES_SCAN;
     for (uint32_t k = from; k < to; k++) {
-        const uint32_t s = places_both(spot[k]), marked = 0u - (s >> 15 & 1); /* that is as far as can be */
+        const uint32_t s = spot[k], marked = 0u - (s >> 31); /* that is as far as can be */
         const int32_t dx = (int32_t)((s - at) << 17) >> 16, dy = (int32_t)(((s >> 16) - (at >> 16)) << 17) >> 16;
         uint32_t d = ((uint32_t)(dx * dx) + (uint32_t)(dy * dy)) | marked;
         d = k == not ? NEAR_FAR : d;
@@ -45,7 +45,7 @@ static inline uint32_t square_of(uint32_t v) {
 /* Looks for a partner of the end in place k of the column x in what comes after it: in its own cell and in the next,
  * and, if they are nearer than what has been found, in three of the next row, where `up` is. */
 static inline uint32_t partner(const pass_t *p, int32_t x, const uint32_t *own, const uint32_t *up, uint32_t k) {
-    const uint32_t at = places_both(p->spot[k]), not = (uint32_t)p->place[k].tip;
+    const uint32_t at = p->spot[k], not = (uint32_t)p->place[k].tip;
     const uint32_t in_x = at & p->wide, in_y = at >> 16 & p->high;
     best_t best = look((best_t){NEAR_FAR, NOWHERE}, p->spot, at, not, k + 1, own[1 + (x + 1 < p->nx)]);
     const uint32_t above = square_of(p->high + 1 - in_y);

@@ -13,8 +13,8 @@ static void link_meeting(places_t *p, uint32_t i, uint32_t j) {
     int32_t *mate = p->chain->pool->mate;
     p->strokes--;
     if (place[i].tip == (int32_t)j) { /* a closed stroke */
-        near_mark_end(&p->now.spot[i]);
-        near_mark_end(&p->now.spot[j]);
+        p->now.spot[i] |= PLACES_MARK;
+        p->now.spot[j] |= PLACES_MARK;
         p->loop[p->loops++] = (int32_t)i;
     } else {
         const int32_t a = place[place[i].tip].end, b = place[place[j].tip].end;
@@ -89,29 +89,29 @@ static compare_t make_compare(const places_t *p) {
     uint32_t within = 1;
     while (within < 2 * by) within = 2 * within + 1;
     return (compare_t){.by = by,
-                       .back = PLACES_BOTH(by, by),
-                       .beyond = PLACES_BOTH(PLACES_MASK & ~within, PLACES_MASK & ~within),
+                       .back = PLACES_SPOT(by, by),
+                       .beyond = PLACES_SPOT(PLACES_MASK & ~within, PLACES_MASK & ~within),
                        .wide = wide,
                        .high = high,
-                       .cell = PLACES_BOTH(PLACES_MASK & ~wide, PLACES_MASK & ~high),
-                       .row = PLACES_BOTH(0, PLACES_MASK & ~high)};
+                       .cell = PLACES_SPOT(PLACES_MASK & ~wide, PLACES_MASK & ~high),
+                       .row = PLACES_SPOT(0, PLACES_MASK & ~high)};
 }
 
-static inline bool is_close(const compare_t *c, uint32_t from, spot_t s) {
-    return ((places_both(s) - from) & c->beyond) == 0;
+static inline bool is_close(const compare_t *c, uint32_t from, uint32_t spot) {
+    return ((spot - from) & c->beyond) == 0;
 }
 
 static inline void note_close(places_t *p, found_t *f, const compare_t *c, uint32_t k, uint32_t j) {
-    const spot_t *spot = p->now.spot;
-    if (is_close(c, places_both(spot[k]) - c->back, spot[j]) && !places_is_marked(spot[j])) note(p, f, k, j);
+    const uint32_t *spot = p->now.spot;
+    if (is_close(c, spot[k] - c->back, spot[j]) && !places_is_marked(spot[j])) note(p, f, k, j);
 }
 
 /* Looks at what comes after the place k: in its cell, and, if it is at the border, in those beyond. */
 static void look_on(places_t *p, found_t *f, const compare_t *c, uint32_t k, bool right, bool up) {
-    const spot_t *spot = p->now.spot;
-    const uint32_t n = (uint32_t)p->now.n, own = places_both(spot[k]), same = right ? c->row : c->cell;
+    const uint32_t *spot = p->now.spot;
+    const uint32_t n = (uint32_t)p->now.n, own = spot[k], same = right ? c->row : c->cell;
     for (uint32_t j = k + 1; j < n && j <= k + PLACES_SCAN; j++) {
-        if (j > k + AHEAD && ((places_both(spot[j]) ^ own) & same) != 0) break;
+        if (j > k + AHEAD && ((spot[j] ^ own) & same) != 0) break;
         note_close(p, f, c, k, j);
     }
     if (!up) return;
@@ -126,16 +126,16 @@ static void look_on(places_t *p, found_t *f, const compare_t *c, uint32_t k, boo
 static void pair_all(places_t *p) {
     const compare_t c = make_compare(p);
     const uint32_t n = (uint32_t)p->now.n;
-    const spot_t *spot = p->now.spot;
+    const uint32_t *spot = p->now.spot;
     found_t found = {.n = 0};
     for (uint32_t k = 0; k < n; k++) {
-        const spot_t s = spot[k];
+        const uint32_t s = spot[k];
         if (places_is_marked(s)) continue;
-        const uint32_t own = places_both(s), from = own - c.back;
+        const uint32_t from = s - c.back;
         bool meets = false;
         for (uint32_t i = 1; i <= AHEAD; i++) meets |= is_close(&c, from, spot[k + i]);
-        const bool right = ((uint32_t)s.x & c.wide) + c.by > c.wide, up = ((uint32_t)s.y & c.high) + c.by > c.high;
-        const bool more = ((places_both(spot[k + AHEAD + 1]) ^ own) & c.cell) == 0;
+        const bool right = (s & c.wide) + c.by > c.wide, up = (s >> 16 & c.high) + c.by > c.high;
+        const bool more = ((spot[k + AHEAD + 1] ^ s) & c.cell) == 0;
         if (meets | right | up | more) look_on(p, &found, &c, k, right, up);
     }
     for (uint32_t i = found.n < FOUND ? 0 : found.n - FOUND; i < found.n; i++) look_at(p, &found, i);
@@ -149,8 +149,8 @@ static void open_loop(places_t *p, uint32_t i) {
     if (loop_open_at(p->chain, list->place[i].end, &joint)) {
         list->place[places_find(p, joint.other, joint.at)].end = joint.end;
     } else {
-        near_unmark_end(&list->spot[i]);
-        near_unmark_end(&list->spot[list->place[i].tip]);
+        list->spot[i] &= ~PLACES_MARK;
+        list->spot[list->place[i].tip] &= ~PLACES_MARK;
         p->strokes++;
     }
 }

@@ -37,9 +37,6 @@ static inline spot_t near_spot(const near_extent_t *b, page_point_t p) {
 static inline void near_mark_end(spot_t *s) {
     s->x = (int16_t)(s->x | INT16_MIN);
 }
-static inline void near_unmark_end(spot_t *s) {
-    s->x &= INT16_MAX;
-}
 /* Both ends of the stroke are taken, so that a search need look nowhere else to know. */
 static inline void near_mark(spot_t *spot, int32_t stroke) {
     near_mark_end(&spot[2 * stroke]);
@@ -47,8 +44,8 @@ static inline void near_mark(spot_t *spot, int32_t stroke) {
 }
 /* Undoes it. */
 static inline void near_unmark(spot_t *spot, int32_t stroke) {
-    near_unmark_end(&spot[2 * stroke]);
-    near_unmark_end(&spot[2 * stroke + 1]);
+    spot[2 * stroke].x &= INT16_MAX;
+    spot[2 * stroke + 1].x &= INT16_MAX;
 }
 
 typedef struct near_cell {

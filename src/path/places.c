@@ -9,14 +9,14 @@
 
 static int32_t *take_list(place_list_t *list, int32_t *mem, int32_t n) {
     list->n = n;
-    list->spot = (spot_t *)(void *)mem;
+    list->spot = (uint32_t *)(void *)mem;
     list->place = (place_t *)(void *)(mem + n);
     return mem + 3 * (ptrdiff_t)n;
 }
 
-static inline spot_t spot_of(const places_t *p, page_point_t at) {
-    return (spot_t){(int16_t)((at.x_lat - p->box.x0) >> p->fine & PLACES_MASK),
-                    (int16_t)((at.y_lat - p->box.y0) >> p->fine & PLACES_MASK)};
+static inline uint32_t spot_of(const places_t *p, page_point_t at) {
+    return PLACES_SPOT((at.x_lat - p->box.x0) >> p->fine & PLACES_MASK,
+                       (at.y_lat - p->box.y0) >> p->fine & PLACES_MASK);
 }
 
 /* Cells for so many ends, nothing in them, and not smaller than what is near. */
@@ -109,8 +109,8 @@ bool places_sort(places_t *p, chain_t *c, page_point_t at, page_point_t home, in
 }
 
 void places_drop(places_t *p, int32_t at) {
-    near_mark_end(&p->now.spot[at]);
-    near_mark_end(&p->now.spot[p->now.place[at].tip]);
+    p->now.spot[at] |= PLACES_MARK;
+    p->now.spot[p->now.place[at].tip] |= PLACES_MARK;
     p->strokes--;
 }
 
@@ -139,7 +139,7 @@ void places_thin(places_t *p, int32_t chains, int32_t crowd) {
 /* The cells in which an end may be that is near a point, and its spot; none if x0 > x1. */
 typedef struct window {
     int32_t x0, y0, x1, y1;
-    spot_t at;
+    uint32_t at;
     uint32_t by;
 } window_t;
 
@@ -155,9 +155,9 @@ static window_t window_near(const places_t *p, page_point_t at) {
     return w;
 }
 
-static inline bool is_in(const window_t *w, spot_t s) {
-    const uint32_t x = (uint32_t)(s.x - w->at.x) + w->by, y = (uint32_t)(s.y - w->at.y) + w->by;
-    return ((x & PLACES_MASK) <= 2 * w->by) & ((y & PLACES_MASK) <= 2 * w->by) & !places_is_marked(s);
+static inline bool is_in(const window_t *w, uint32_t spot) {
+    const uint32_t x = spot - w->at + w->by, y = (spot >> 16) - (w->at >> 16) + w->by;
+    return ((x & PLACES_MASK) <= 2 * w->by) & ((y & PLACES_MASK) <= 2 * w->by) & !places_is_marked(spot);
 }
 
 /* Cells side by side are one stretch of places. */

@@ -21,10 +21,12 @@ typedef struct place {
     int32_t end, tip;
 } place_t;
 
-/* Where the ends are, marked when they have a link (near.h), lies together: that is what is looked through. */
+/* Where the ends are lies together, for that is what is looked through: x, y from bit 16 on, and a mark on those that
+ * have a link. One number, written as a whole: read as one what is written in parts, it would have to wait. */
+#define PLACES_MARK (1u << 31)
 typedef struct place_list {
     int32_t n;
-    spot_t *spot;
+    uint32_t *spot;
     place_t *place;
 } place_list_t;
 
@@ -59,14 +61,10 @@ int places_near(const places_t *p, page_point_t at, uint32_t *out, int max);
 uint32_t places_find(const places_t *p, int32_t e, page_point_t at);
 #define PLACES_NONE UINT32_MAX
 
-static inline bool places_is_marked(spot_t s) {
-    return s.x < 0;
+#define PLACES_SPOT(x, y) ((uint32_t)(x) | (uint32_t)(y) << 16)
+static inline bool places_is_marked(uint32_t spot) {
+    return (spot & PLACES_MARK) != 0;
 }
-/* Both coordinates in one number, x below y. */
-static inline uint32_t places_both(spot_t s) {
-    return (uint32_t)(uint16_t)s.x | (uint32_t)(uint16_t)s.y << 16;
-}
-#define PLACES_BOTH(x, y) ((uint32_t)(x) | (uint32_t)(y) << 16)
 /* The first place of the cell that a point is in, in start. */
 static inline uint32_t *places_cell(const places_t *p, page_point_t at) {
     return &p->start[((at.y_lat - p->box.y0) >> p->cell_y) * p->nx + ((at.x_lat - p->box.x0) >> p->cell_x)];
@@ -77,8 +75,8 @@ static inline void places_link(const place_list_t *list, uint32_t i, uint32_t j)
     const place_t a = list->place[i], b = list->place[j];
     list->place[a.tip].tip = b.tip;
     list->place[b.tip].tip = a.tip;
-    near_mark_end(&list->spot[i]);
-    near_mark_end(&list->spot[j]);
+    list->spot[i] |= PLACES_MARK;
+    list->spot[j] |= PLACES_MARK;
 }
 
 #endif
