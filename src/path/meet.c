@@ -71,8 +71,12 @@ static inline void note(places_t *p, found_t *f, uint32_t k, uint32_t j) {
     if (f->n >= FOUND) look_at(p, f, f->n);
     f->place[f->n % FOUND][0] = k;
     f->place[f->n++ % FOUND][1] = j;
-    __builtin_prefetch(&p->chain->point[p->now.place[k].end]);
-    __builtin_prefetch(&p->chain->point[p->now.place[j].end]);
+    for (int i = 0; i < 2; i++) {
+        const int32_t e = p->now.place[i ? j : k].end;
+        __builtin_prefetch(&p->chain->point[e]);
+        __builtin_prefetch(&p->chain->pool->run[e >> 1]);
+        __builtin_prefetch(&p->chain->pool->mate[e]);
+    }
 }
 
 /* How spots are compared: what is within `by` of one, in x and in y, is between that and a mask more. A borrow from x
