@@ -128,6 +128,14 @@ static bool ink_point(void *ctx, uint8_t family, uint8_t surface, int32_t line, 
     return line_space_point(&p->lines[surface], family, line, t, out);
 }
 
+#if CONFIG_FETCH
+static bool ink_span(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t from, int64_t to,
+                     page_point_t out[2]) {
+    const picture_t *p = ctx;
+    return line_space_span(&p->lines[surface], family, line, from, to, out);
+}
+#endif
+
 static int drop_ink(void *ctx, const ink_piece_t *piece) {
     picture_t *p = ctx;
     (void)piece;
@@ -171,6 +179,7 @@ int picture_open(picture_t *p, const pen_sink_t *pen, int32_t growing, int64_t r
 #endif
 #if CONFIG_FETCH
     config.fetch = p->fetch;
+    config.span = ink_span;
 #endif
     if (p->hooks && !p->trial) config.feed = p->hooks->feed;
     if (p->pauses) {

@@ -149,7 +149,7 @@ int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near
     for (int32_t r = 0; r < pool->n; r++) {
         page_point_t *p = &c->point[2 * r];
         pool_tick(pool);
-        while (r < pool->n && !(pool_end_point(pool, map, 2 * r, p) && pool_end_point(pool, map, 2 * r + 1, p + 1))) {
+        while (r < pool->n && !pool_run_points(pool, map, r, p)) {
             pool->run[r] = pool->run[--pool->n];
             lost++;
         }

@@ -321,6 +321,9 @@ int path_init(path_t *p, void *mem, size_t bytes, const path_config_t *c, const 
     p->pool.cap = (int32_t)cap;
     p->pool.run = (run_t *)(void *)((uint8_t *)mem + skip + JOIN_BYTES(pairs));
     p->pool.mate = pool_own_mate(&p->pool);
+#if CONFIG_FETCH
+    p->pool.span = c->span;
+#endif
     p->pool.work = (uint32_t *)(void *)(p->pool.mate + 2 * (cap + 1));
     p->stats.bytes = JOIN_BYTES(pairs) + POOL_BYTES(cap) + fed;
     if (fed) {

@@ -51,6 +51,7 @@ typedef struct path_config {
     void *tell_ctx;
 #endif
 #if CONFIG_FETCH
+    ink_span_t span;   /* what the map says of both ends of a run; its ctx is the map's. Or NULL */
     ink_fetch_t fetch; /* asks the cache for what the map will read; its ctx is the map's. Or NULL */
 #endif
     const path_feed_t *feed; /* NULL: nothing is drawn before the pool is full or all ink is there */

@@ -21,6 +21,9 @@
 
 typedef void (*ink_fetch_t)(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t t);
 
+typedef bool (*ink_span_t)(void *ctx, uint8_t family, uint8_t surface, int32_t line, int64_t from, int64_t to,
+                           page_point_t out[2]);
+
 typedef struct pool {
     int32_t n, cap;
     run_t *run;              /* cap */
@@ -28,6 +31,9 @@ typedef struct pool {
     uint32_t *work;          /* POOL_WORK_PER_RUN * (cap + 1) bytes, aligned for uint32_t */
     void (*tick)(void *ctx); /* called now and then while runs are put in order, or NULL */
     void *tick_ctx;
+#if CONFIG_FETCH
+    ink_span_t span; /* path.h */
+#endif
 } pool_t;
 
 /* Where the links are if nobody has said otherwise: behind the runs. The work area is behind them. */
@@ -52,6 +58,17 @@ static inline int64_t pool_end_t(const pool_t *p, int32_t e) {
 static inline bool pool_end_point(const pool_t *p, const ink_map_t *map, int32_t e, page_point_t *out) {
     const run_t *r = &p->run[e >> 1];
     return map->point(map->ctx, run_family(r), run_surface(r), run_line(r), run_t_of(r, e & 1), out);
+}
+
+/* The points of both ends of the run r. */
+static inline bool pool_run_points(const pool_t *p, const ink_map_t *map, int32_t r, page_point_t out[2]) {
+#if CONFIG_FETCH
+    const run_t *run = &p->run[r];
+    if (p->span)
+        return p->span(map->ctx, run_family(run), run_surface(run), run_line(run), run_t_of(run, 0), run_t_of(run, 1),
+                       out);
+#endif
+    return pool_end_point(p, map, 2 * r, &out[0]) && pool_end_point(p, map, 2 * r + 1, &out[1]);
 }
 
 #endif

@@ -66,15 +66,15 @@ static __attribute__((noinline)) bool exact_point(const line_space_t *s, uint8_t
     return s->exact(s->ctx, family, line, t, h) && num_sign(h[2]) > 0 && exact_divide(h, out);
 }
 
-bool line_space_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t, page_point_t *out) {
-    page_h_t h;
-    if (!s->at(s->ctx, family, line, t, &h)) return false;
-    if (line_space_is_close(s, h.e)) {
+/* Where what `at` has said of t is. */
+static inline bool point_of(const line_space_t *s, uint8_t family, int32_t line, int64_t t, const page_h_t *h,
+                            page_point_t *out) {
+    if (line_space_is_close(s, h->e)) {
         if (!exact_point(s, family, line, t, out)) return false;
     } else {
         /* where a line was cut at near_e, E is that but for its rounding */
-        if (h.e < s->near_e - (s->near_e >> 8)) return false;
-        *out = line_space_divide(s, &h);
+        if (h->e < s->near_e - (s->near_e >> 8)) return false;
+        *out = line_space_divide(s, h);
     }
     if (s->all_inside) return true;
     page_point_t free = *out;
@@ -82,3 +82,18 @@ bool line_space_point(const line_space_t *s, uint8_t family, int32_t line, int64
     out->y_lat = clamp(free.y_lat, s->window->y0_lat, s->window->y1_lat);
     return is_near(free.x_lat, out->x_lat) && is_near(free.y_lat, out->y_lat);
 }
+
+bool line_space_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t, page_point_t *out) {
+    page_h_t h;
+    return s->at(s->ctx, family, line, t, &h) && point_of(s, family, line, t, &h, out);
+}
+
+#if CONFIG_FETCH
+bool line_space_span(const line_space_t *s, uint8_t family, int32_t line, int64_t from, int64_t to,
+                     page_point_t out[2]) {
+    page_h_t h[2];
+    if (!s->span || !s->span(s->ctx, family, line, from, to, h))
+        return line_space_point(s, family, line, from, &out[0]) && line_space_point(s, family, line, to, &out[1]);
+    return point_of(s, family, line, from, &h[0], &out[0]) && point_of(s, family, line, to, &h[1], &out[1]);
+}
+#endif

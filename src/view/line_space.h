@@ -7,6 +7,7 @@
 #ifndef LINE_SPACE_H
 #define LINE_SPACE_H
 
+#include "config.h"
 #include "hidden/ink.h"
 #include "num/num.h"
 #include "view/page.h"
@@ -27,6 +28,11 @@ typedef struct line_space {
     /* The same as at, in scaled integers, or NULL: for points so close (line_space_is_close) that lat would be lost in
      * these units. No point in front of the eye is too close then. */
     bool (*exact)(void *ctx, uint8_t family, int32_t line, int64_t t, num_t h[3]);
+#if CONFIG_FETCH
+    /* The same as at for from < to between two vertices next to each other, sooner; false if they are not, or if it
+     * does not know. Or NULL. */
+    bool (*span)(void *ctx, uint8_t family, int32_t line, int64_t from, int64_t to, page_h_t h[2]);
+#endif
     const page_window_t *window;
     bool perspective;
     bool all_inside; /* no point is outside of the window: nothing needs cutting */
@@ -54,5 +60,10 @@ page_point_t line_space_divide(const line_space_t *s, const page_h_t *h);
 /* The page point of a parameter, clamped to the window where a rounded cut fell outside by a hair; false if it is
  * not on the paper. */
 bool line_space_point(const line_space_t *s, uint8_t family, int32_t line, int64_t t, page_point_t *out);
+#if CONFIG_FETCH
+/* The same of two, from <= to. */
+bool line_space_span(const line_space_t *s, uint8_t family, int32_t line, int64_t from, int64_t to,
+                     page_point_t out[2]);
+#endif
 
 #endif

@@ -135,6 +135,23 @@ static bool lines_at(void *ctx, uint8_t family, int32_t line, int64_t t, page_h_
     return a_in;
 }
 
+#if CONFIG_FETCH
+/* Both ends of what is visible of an edge, as most of a rough surface is: its vertices once. */
+static bool lines_span(void *ctx, uint8_t family, int32_t line, int64_t from, int64_t to, page_h_t h[2]) {
+    page_map_t *m = ctx;
+    const int32_t at = (int32_t)(from >> INK_GRID_BITS);
+    const int64_t a_t = (int64_t)at << INK_GRID_BITS;
+    const int row = family == INK_ROW;
+    const int32_t i = row ? at : line, j = row ? line : at;
+    page_h_t a, b;
+    if (to <= a_t || to > a_t + INK_GRID_ONE || m->tall || !m->grid->cache) return false;
+    if (!vertex_h(m, i, j, &a) || !vertex_h(m, i + row, j + 1 - row, &b)) return false;
+    h[0] = from == a_t ? a : line_space_mix_fine(&a, &b, from - a_t);
+    h[1] = to == a_t + INK_GRID_ONE ? b : line_space_mix_fine(&a, &b, to - a_t);
+    return true;
+}
+#endif
+
 /* The point at `part` of an edge from (i, j) whose ends have heights z. Interpolated in the world, before it is
  * projected: less stack, and as exact. */
 static __attribute__((noinline)) void exact_between(const page_map_t *m, bool row, int32_t i, int32_t j,
@@ -165,6 +182,9 @@ static bool exact_at(void *ctx, uint8_t family, int32_t line, int64_t t, num_t h
 int page_map_setup(page_map_t *m, grid_t *g, const camera_t *cam, void *memory) {
     *m = (page_map_t){.grid = g, .cam = cam, .tall = cam->perspective && grid_is_tall(g, cam->eye)};
     m->lines = (line_space_t){.ctx = m, .at = lines_at};
+#if CONFIG_FETCH
+    m->lines.span = lines_span;
+#endif
     const surface_t *src = g->src;
     const num_t z_lo = g->to_limits && g->below ? g->z_lo : g->z_min,
                 z_hi = g->to_limits && g->above ? g->z_hi : g->z_max;
