@@ -12,31 +12,24 @@ firmware: ## build the images of all boards; prints flash, RAM and a bound of th
 	$(Q)sh .ci/deps.sh firmware
 	+$(Q)$(again) firmware-run
 
+# What is said to people lies packed in flash: these sources, which say it, are compiled from copies (firmware/tools/pack_texts.c).
 SAYING   := src/error.c src/scene/data_grid.c $(wildcard src/lang/*.c src/app/*.c)
 define board
-compile_$1 = $(CROSS)gcc -Isrc -I. -Ihal/$1 $$(CPU_$1) $$(OPT_$1) $$(addprefix -D,$$(CONFIG_$1)) $(UNSET:%=-U%) -DPACKED_PAIRS='"$(FWDIR)/$1/pairs.h"' $$(FW_CFLAGS)
+compile_$1 = $(CROSS)gcc -Isrc -I. -Ihal/$1 $$(CPU_$1) $$(OPT_$1) $$(addprefix -D,$$(CONFIG_$1)) $(UNSET:%=-U%) -DPACKED_PAIRS='"firmware/pairs.txt"' $$(FW_CFLAGS)
 FW_OBJ_$1 := $$(patsubst %,$(FWDIR)/$1/%.o,$$(basename $$(FW_SRC) $$(wildcard hal/port/*.c hal/$1/*.c hal/$1/*.S)))
 $(FWDIR)/$1/%.o: %.c firmware/boards.mk
 	@mkdir -p $$(@D)
 	$$(call say,CC,$1 $$<)
 	$$(Q)$$(compile_$1) -c $$< -o $$@
-# What is said to people lies packed in flash: the sources that say it are compiled from copies (firmware/tools/pack_texts.c).
 $(FWDIR)/$1/pack_texts: firmware/tools/pack_texts.c src/lang/help.c src/config.h src/said.h firmware/boards.mk
 	@mkdir -p $$(@D)
 	$$(Q)$(CC) -O1 -Wall -Wextra -Wno-missing-braces -Isrc $$(addprefix -D,$$(CONFIG_$1)) $$< -o $$@
-$(FWDIR)/$1/pairs.h: $(FWDIR)/$1/pack_texts $(SAYING)
-	$$(Q)$$< learn $(SAYING) >$$@.new
-	$$(Q)cmp -s $$@.new $$@ || mv $$@.new $$@
-$(FWDIR)/$1/help.h: $(FWDIR)/$1/pairs.h
-	$$(Q)$$(@D)/pack_texts help $$< >$$@
-$(SAYING:%=$(FWDIR)/$1/said/%): $(FWDIR)/$1/said/%: % $(FWDIR)/$1/pairs.h
-	@mkdir -p $$(@D)
-	$$(Q)$(FWDIR)/$1/pack_texts source $(FWDIR)/$1/pairs.h $$< >$$@
-$(SAYING:%.c=$(FWDIR)/$1/%.o): $(FWDIR)/$1/%.o: $(FWDIR)/$1/said/%.c firmware/boards.mk
+$(FWDIR)/$1/help.h: $(FWDIR)/$1/pack_texts firmware/pairs.txt
+	$$(Q)$$< help firmware/pairs.txt >$$@
+$(SAYING:%.c=$(FWDIR)/$1/%.o): $(FWDIR)/$1/%.o: $(FWDIR)/said/%.c firmware/boards.mk
 	@mkdir -p $$(@D)
 	$$(call say,CC,$1 $$*.c)
 	$$(Q)$$(compile_$1) -c $$< -o $$@
-$(FWDIR)/$1/src/said.o: $(FWDIR)/$1/pairs.h
 $(FWDIR)/$1/src/lang/help.o: $(FWDIR)/$1/help.h
 $(FWDIR)/$1/src/lang/help.o: FW_CFLAGS += -DHELP_PACKED='"$(FWDIR)/$1/help.h"'
 $(FWDIR)/$1/%.o: %.S
@@ -47,6 +40,12 @@ $(FWDIR)/$1.elf: $$(FW_OBJ_$1) linker/$1.ld linker/sections.ld
 	$$(Q)$(CROSS)gcc $$(CPU_$1) $$(OPT_$1) $(FW_LDFLAGS) -T linker/$1.ld -Wl,-Map=$$(@:.elf=.map) $$(FW_OBJ_$1) -o $$@
 endef
 $(foreach b,$(BOARDS),$(eval $(call board,$b)))
+$(SAYING:%=$(FWDIR)/said/%): $(FWDIR)/said/%: % firmware/pairs.txt $(FWDIR)/nrf51/pack_texts
+	@mkdir -p $(@D)
+	$(Q)$(FWDIR)/nrf51/pack_texts source firmware/pairs.txt $< >$@
+.PHONY: pairs
+pairs: $(FWDIR)/nrf51/pack_texts ## learn anew which bytes of texts stand for two in the boards' flash (firmware/pairs.txt)
+	$(Q)$< learn $(SAYING) >firmware/pairs.txt
 IMAGES := $(BOARDS:%=$(FWDIR)/%.elf) $(FWDIR)/rp2040.bin $(FWDIR)/nrf51.hex
 
 # The step interrupt is worth its bytes on the smallest part, too.

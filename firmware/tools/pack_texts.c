@@ -1,6 +1,6 @@
 /* pack_texts.c - what a board says to people, packed: its flash is full.
  *
- *     pack_texts learn SOURCE... >PAIRS       which two bytes one byte may stand for (src/said.c includes it)
+ *     pack_texts learn SOURCE... >PAIRS       which two bytes one byte may stand for (`make pairs`, now and then)
  *     pack_texts help PAIRS >HEADER           the texts of src/lang/help.c for the board that CONFIG_ tells of
  *     pack_texts source PAIRS SOURCE >SOURCE  the same program with its messages packed
  *
@@ -208,6 +208,7 @@ static void learn(char **files) {
         depth[by] = 1 + (depth[a] > depth[b] ? depth[a] : depth[b]);
         replace(a, b, by);
     }
+    printf("/* By firmware/tools/pack_texts.c (`make pairs`): for src/said.c. */\n");
     for (int by = 0; by < BYTES; by++)
         if (PACKED_PLACE(by) >= 0) printf("{%d, %d},\n", pair[by][0], pair[by][1]);
 }
@@ -215,6 +216,7 @@ static void learn(char **files) {
 static void read_pairs(const char *path) {
     FILE *f = fopen(path, "r");
     if (!f) fail_with("cannot be read", path);
+    fscanf(f, "/*%*[^*]*/");
     for (int by = 0; by < BYTES; by++)
         if (PACKED_PLACE(by) >= 0 && fscanf(f, " {%hhu, %hhu},", &pair[by][0], &pair[by][1]) != 2)
             fail_with("is no list of pairs", path);
