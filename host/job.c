@@ -252,6 +252,6 @@ int job_draw(job_t *job, const plot_t *plot) {
     progress_begin();
     int err = draw_page(job, plot, name);
     progress_wipe();
-    for (int i = 0; i < job->outputs; i++) free(name[i]);
+    for (char **n = name; *n; n++) free(*n);
     return err;
 }
