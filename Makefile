@@ -169,7 +169,7 @@ fmt-check:
 	$(Q)clang-format --dry-run -Werror $(SOURCES)
 
 include hal/linux/linux.mk tests/gpio/gpio.mk
--include $(wildcard tests/bench/*.mk tests/report/*.mk tests/cli/*.mk)
+-include $(wildcard tests/bench/*.mk tests/report/*.mk tests/cli/*.mk tests/compare/*.mk)
 
 clean: ## remove what was built
 	$(Q)rm -rf $(BUILDDIR)

@@ -183,7 +183,7 @@ static const char *numbers(value_t *a, value_t *b) {
 
 const char *arith_binary(uint8_t op, value_t *a, value_t b) {
 #if CONFIG_CONTROL
-    if ((a->kind | b.kind) & VALUE_TEXT) {
+    if ((a->kind | b.kind) & VALUE_TEXT && op != OP_BAND && op != OP_XOR && op != OP_BOR) {
         const char *fault = numbers(a, &b);
         if (fault) return fault;
     }
@@ -225,7 +225,7 @@ static const char *factorial(value_t *a) {
 
 const char *arith_unary(uint8_t op, value_t *a) {
     bool truth;
-    const char *text = arith_number(a);
+    const char *text = op == OP_NOT || op == OP_BNOT ? NULL : arith_number(a); /* of texts they are no numbers */
     if (text) return text;
     switch (op) {
     case OP_NEG:

@@ -50,7 +50,7 @@ static void integer(text_t *t, const format_t *f, int64_t v) {
     const bool is_signed = f->type == 'd' || f->type == 'i';
     const bool negative = is_signed && v < 0;
     uint64_t mag = negative ? 0 - (uint64_t)v : (uint64_t)v;
-    if (!is_signed && v < 0) mag &= UINT32_MAX; /* gnuplot hands over an int */
+    if (!is_signed && v < 0 && v >= INT32_MIN) mag &= UINT32_MAX; /* as gnuplot, which hands over an int */
     char digits[64];
     size_t n = sizeof digits;
     while (mag > 0 || (n == sizeof digits && f->precision != 0) || (int32_t)(sizeof digits - n) < f->precision) {

@@ -120,10 +120,17 @@ int set_unknown(session_t *s, const lexer_t *word) {
                                word->tok.len);
 }
 
-/* set noXXX: gnuplot's old way to say unset XXX. */
-static bool is_negated(const lexer_t *lx) {
+/* set noXXX: gnuplot's old way to say unset XXX. The token is XXX then. */
+static bool is_negated(lexer_t *lx) {
+    const lexer_t whole = *lx;
     const char *p = lexer_text(lx);
-    return lx->tok.kind == TOKEN_NAME && lx->tok.len > 3 && p[0] == 'n' && p[1] == 'o' && words_find(words_set, lx) < 0;
+    if (lx->tok.kind != TOKEN_NAME || lx->tok.len < 4 || p[0] != 'n' || p[1] != 'o' || words_find(words_set, lx) >= 0)
+        return false;
+    lx->tok.start += 2;
+    lx->tok.len -= 2;
+    if (words_find(words_set, lx) >= 0) return true;
+    *lx = whole;
+    return false;
 }
 
 /* set logscale, nonlinear: none, or names and numbers of axes, of which x, y and z are drawn here. */
@@ -144,11 +151,7 @@ bool set_axes(session_t *s, uint8_t id, bool on) {
 }
 
 int set_command(session_t *s, lexer_t *lx) {
-    if (is_negated(lx)) {
-        lx->tok.start += 2;
-        lx->tok.len -= 2;
-        return set_unset_command(s, lx);
-    }
+    if (is_negated(lx)) return set_unset_command(s, lx);
     lexer_t word = *lx;
     int index = set_find_option(s, lx, "an option expected; try `help set`");
     if (index < 0) return index;

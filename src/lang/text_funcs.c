@@ -96,8 +96,9 @@ const char *text_strstrt(lang_t *l, value_t *a, int n) {
     (void)l, (void)n;
     if ((a[0].kind & a[1].kind) != VALUE_TEXT) return NOT_TEXT;
     const char *text = value_chars(a[0]), *at = text;
-    while (*at && strncmp(at, value_chars(a[1]), (size_t)a[1].e) != 0) at++;
-    *a = value_int(*at ? characters(text, at) + 1 : 0);
+    bool found;
+    while (!(found = strncmp(at, value_chars(a[1]), (size_t)a[1].e) == 0) && *at) at++;
+    *a = value_int(found ? characters(text, at) + 1 : 0);
     return NULL;
 }
 

@@ -14,6 +14,7 @@ int set_unset_command(session_t *s, lexer_t *lx) {
     if (id == SET_LOGSCALE) return log_axes_set(s, lx, false);
 #endif
     if (set_axes(s, id, false)) {
+        if (id != SET_NONLINEAR) return session_expect_end(s, lx);
         session_skip(lx);
         return 0;
     }

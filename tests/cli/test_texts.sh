@@ -73,6 +73,10 @@ print sprintf("%d", 3@')' expected
 print sprintf(3)@a format in quotes is needed
 a = "x" 3@the end of the command expected
 a = "x"; print a + 1@column 16: this text is not a number
+print !"3"@column 7: non-integer passed to boolean operator
+print "3" & 1@column 7: non-integer passed to boolean operator
+set nonsense@column 5: unknown option: nonsense
+unset parametric x@column 18: the end of the command expected
 print sin("x")@column 7: this text is not a number
 print atan2("x", 1)@column 7: this text is not a number
 print strlen(3)@a text is needed here, not a number
@@ -116,7 +120,7 @@ set encoding utf8
 a = "hello"; n = 4; w = "the quick  brown fox"
 print a[2:3], a[2:*], a[:2], a[0:9], "|".a[4:2]."|", a[5:5]
 print a eq "hello", a ne "hello", "a"."b" eq "ab" ? "yes" : "no"
-print strlen(a), strlen(""), strlen("größer"), "größer"[3:4], strstrt(a, "ll"), strstrt(a, "x")
+print strlen(a), strlen(""), strlen("größer"), "größer"[3:4], strstrt(a, "ll"), strstrt(a, "x"), strstrt("", ""), sprintf("%x", -6442449715), sprintf("%x", -7)
 print words(w), word(w, 2), "|".word(w, 9)."|", words(""), substr(a, 2, 4)
 print "3" + 4, "3.5" * 2, -"2", sin("1"), int("0x10"), int("7.9"), real("2")
 print atan2("1", "2"), sgn("-3"), rand("0") > 0, ceil("2.1")
