@@ -165,6 +165,7 @@ int command_execute(session_t *s, lexer_t *lx) {
     if (lexer_accept(lx, '?')) return help_command(s, lx);
 #if CONFIG_CONTROL
     if (lx->tok.kind == '}') return control_close(s, lx);
+    if (lx->tok.kind == '{') return control_open(s, lx);
 #endif
 #if CONFIG_LOAD_DEPTH
     if (lx->tok.kind == '$') return block_command(s, lx);

@@ -104,7 +104,7 @@ int compile_behind(compiler_t *c, pending_t *in) {
         r = operator(c, BUILTIN_IS_EQ, EQUAL);
     } else if (lexer_is_name(lx, "ne")) {
         r = operator(c, BUILTIN_IS_NE, EQUAL);
-    } else if (lx->tok.kind == '[' && lx->tok.start > 0 && !strchr(" \t", lx->text[lx->tok.start - 1])) {
+    } else if (lx->tok.kind == '[') {
         r = compile_open(c, P_SLICE, 0, 0);
     } else if (lx->tok.kind == ':' && in && in->kind == P_SLICE && in->at == 0) {
         compile_reduce(c, LOOSE);

@@ -17,12 +17,15 @@ static void skip_block(lexer_t *lx) {
         open += (lx->tok.kind == '{') - (lx->tok.kind == '}');
 }
 
-/* Goes to the end of the physical line, or of the block it stands in. */
-static void skip_line(lexer_t *lx) {
+/* Goes to the end of the physical line, or of the block it stands in; or only up to an `else` that begins a command. */
+static void skip_line(lexer_t *lx, bool up_to_else) {
     int32_t open = 0;
-    while (lx->tok.kind != TOKEN_END && !session_is_line_end(lx) && (lx->tok.kind != '}' || open > 0)) {
+    bool begins = false;
+    for (; lx->tok.kind != TOKEN_END; lexer_next(lx)) {
+        if (open == 0 && (session_is_line_end(lx) || lx->tok.kind == '}')) return;
+        if (open == 0 && begins && up_to_else && lexer_is_name(lx, "else")) return;
         open += (lx->tok.kind == '{') - (lx->tok.kind == '}');
-        lexer_next(lx);
+        begins = lx->tok.kind == ';';
     }
 }
 
@@ -47,12 +50,15 @@ static int condition(session_t *s, lexer_t *lx, bool *yes) {
     return err;
 }
 
-/* Behind a block, or the one command, that was executed: alternatives are passed over. */
-static void pass_else(lexer_t *lx) {
+/* Behind a block, or the one command, that was executed: alternatives are passed over, here or where they come. */
+static int pass_else(session_t *s, lexer_t *lx) {
+    s->alternative = ALTERNATIVE_PASSED;
     while (lexer_is_name(lx, "else")) {
+        s->alternative = ALTERNATIVE_NONE;
         lexer_next(lx);
         if (lexer_is_name(lx, "if")) {
             int32_t open = 0;
+            s->alternative = ALTERNATIVE_PASSED;
             do {
                 lexer_next(lx);
                 open += (lx->tok.kind == '(') - (lx->tok.kind == ')');
@@ -60,38 +66,63 @@ static void pass_else(lexer_t *lx) {
             lexer_next(lx);
         }
         if (!lexer_accept(lx, '{')) {
-            skip_line(lx);
-            return;
+            if (session_at_end(lx)) s->alternative = ALTERNATIVE_BODY_PASSED;
+            skip_line(lx, false);
+            return 0;
         }
         skip_block(lx);
     }
+    return session_expect_end(s, lx);
 }
 
-/* Behind what was not executed: what stands behind `else`, if it is there, is. */
+/* Behind what was not executed: what stands behind `else` is, here or where it comes. */
 static int take_else(session_t *s, lexer_t *lx) {
-    if (!lexer_is_name(lx, "else")) return 0;
+    s->alternative = ALTERNATIVE_TAKEN;
+    if (!lexer_is_name(lx, "else")) return session_expect_end(s, lx);
     lexer_next(lx);
-    return lx->tok.kind == '{' ? open_block(s, lx, (session_block_t){.kind = BLOCK_IF}) : 0;
+    s->alternative = session_at_end(lx) ? ALTERNATIVE_BODY : ALTERNATIVE_NONE;
+    return lx->tok.kind == '{' ? open_block(s, lx, (session_block_t){.kind = BLOCK_ELSE}) : 0;
+}
+
+/* The block behind a condition, at its {. */
+static int body(session_t *s, lexer_t *lx, bool yes) {
+    if (yes) return open_block(s, lx, (session_block_t){.kind = BLOCK_IF});
+    lexer_next(lx);
+    skip_block(lx);
+    return take_else(s, lx);
+}
+
+int control_open(session_t *s, lexer_t *lx) {
+    const int was = s->alternative;
+    if (was < ALTERNATIVE_BODY)
+        return lexer_unexpected(lx, &s->error, "a block stands behind if, else, do or while only");
+    if (was != ALTERNATIVE_BODY_PASSED) return body(s, lx, was == ALTERNATIVE_BODY);
+    lexer_next(lx);
+    skip_block(lx);
+    return pass_else(s, lx);
+}
+
+static int else_command(session_t *s, lexer_t *lx, const lexer_t *word) {
+    *lx = *word;
+    if (s->alternative == ALTERNATIVE_PASSED) return pass_else(s, lx);
+    if (s->alternative == ALTERNATIVE_TAKEN) return take_else(s, lx);
+    return session_fail(s, word, ERR_SYNTAX, "there is no `if` to this `else`");
 }
 
 static int if_command(session_t *s, lexer_t *lx) {
     bool yes;
+    s->alternative = ALTERNATIVE_PASSED; /* also should a mistake come */
     int err = condition(s, lx, &yes);
     if (err) return err;
-    if (lx->tok.kind == '{') {
-        if (yes) return open_block(s, lx, (session_block_t){.kind = BLOCK_IF});
-        lexer_next(lx);
-        skip_block(lx);
-        return take_else(s, lx);
+    if (lx->tok.kind == '{') return body(s, lx, yes);
+    if (session_at_end(lx)) {
+        s->alternative = yes ? ALTERNATIVE_BODY : ALTERNATIVE_BODY_LEFT;
+        return 0;
     }
+    s->alternative = yes ? ALTERNATIVE_PASSED : ALTERNATIVE_TAKEN;
     if (yes) return 0; /* the rest of the line, up to `else` */
-    while (lx->tok.kind != TOKEN_END && lx->tok.kind != '}' && !session_is_line_end(lx)) {
-        session_skip(lx);
-        if (lx->tok.kind != ';' || session_is_line_end(lx)) break;
-        lexer_next(lx);
-        if (lexer_is_name(lx, "else")) return take_else(s, lx);
-    }
-    return 0;
+    skip_line(lx, true);
+    return lexer_is_name(lx, "else") ? take_else(s, lx) : 0;
 }
 
 /* The variable of a range, and what it held before. */
@@ -196,7 +227,7 @@ static int do_command(session_t *s, lexer_t *lx) {
     }
     lexer_next(lx);
     skip_block(lx);
-    return 0;
+    return session_expect_end(s, lx);
 }
 
 static int while_command(session_t *s, lexer_t *lx) {
@@ -209,7 +240,7 @@ static int while_command(session_t *s, lexer_t *lx) {
     if (yes) return open_block(s, lx, block);
     lexer_next(lx);
     skip_block(lx);
-    return 0;
+    return session_expect_end(s, lx);
 }
 
 /* Behind the } of the innermost block: again, or on. */
@@ -228,22 +259,23 @@ static int end_block(session_t *s, lexer_t *lx) {
         control_restore(s, &b->range);
     }
     f->blocks--;
-    if (b->kind == BLOCK_IF) pass_else(lx);
-    if (b->kind != BLOCK_WHILE) return 0;
+    s->alternative = ALTERNATIVE_NONE;
+    if (b->kind == BLOCK_IF) return pass_else(s, lx);
+    if (b->kind != BLOCK_WHILE) return session_expect_end(s, lx);
     go_to(lx, b->again);
     return while_command(s, lx);
 }
 
 static int leave(session_t *s, lexer_t *lx, const lexer_t *word, bool again) {
     session_frame_t *f = session_top(s);
-    while (f->blocks > 0 && f->block[f->blocks - 1].kind == BLOCK_IF) f->blocks--;
+    while (f->blocks > 0 && f->block[f->blocks - 1].kind <= BLOCK_ELSE) f->blocks--;
     if (f->blocks == 0) return session_fail(s, word, ERR_SYNTAX, "this stands in no loop");
     go_to(lx, f->block[f->blocks - 1].body);
     skip_block(lx);
     if (again) return end_block(s, lx);
     f->blocks--;
     if (f->block[f->blocks].kind == BLOCK_FOR) control_restore(s, &f->block[f->blocks].range);
-    return 0;
+    return session_expect_end(s, lx);
 }
 
 int control_close(session_t *s, lexer_t *lx) {
@@ -256,10 +288,8 @@ int control_command(session_t *s, lexer_t *lx, const lexer_t *word) {
     switch (lexer_text(word)[0]) {
     case 'i':
         return if_command(s, lx);
-    case 'e': /* behind commands that were executed */
-        *lx = *word;
-        pass_else(lx);
-        return 0;
+    case 'e':
+        return else_command(s, lx, word);
     case 'd':
         return do_command(s, lx);
     case 'w':

@@ -66,7 +66,7 @@ typedef struct control_range {
 
 /* A block being executed; places are those of the logical line. */
 typedef struct session_block {
-    enum { BLOCK_IF, BLOCK_FOR, BLOCK_WHILE } kind;
+    enum { BLOCK_IF, BLOCK_ELSE, BLOCK_FOR, BLOCK_WHILE } kind;
     uint32_t body;         /* behind its { */
     uint32_t again;        /* of a while: its condition */
     control_range_t range; /* of a for */
@@ -173,6 +173,15 @@ typedef struct session {
     bool quit;
 #if CONFIG_CONTROL
     int32_t turns; /* of loops, since the last line came in */
+    /* What becomes of an `else` that comes next, and of a block behind `if (c)` or `else` at the end of a line. */
+    enum {
+        ALTERNATIVE_NONE, /* it has no `if` */
+        ALTERNATIVE_PASSED,
+        ALTERNATIVE_TAKEN,
+        ALTERNATIVE_BODY,        /* the block is executed */
+        ALTERNATIVE_BODY_LEFT,   /* it is not; its `else` is */
+        ALTERNATIVE_BODY_PASSED, /* nor is that */
+    } alternative;
     texts_t texts;
 #endif
     bool nonlinear; /* set nonlinear; without CONFIG_LOGSCALE also set logscale */

@@ -72,9 +72,10 @@ static inline bool session_is_line_end(const lexer_t *lx) {
 }
 
 #if CONFIG_CONTROL
-/* control.c: if and its like, behind their word; at a }; does the text so far hold an open brace? */
+/* control.c: if and its like, behind their word; at a } or {; does the text so far hold an open brace? */
 int control_command(session_t *s, lexer_t *lx, const lexer_t *word);
 int control_close(session_t *s, lexer_t *lx);
+int control_open(session_t *s, lexer_t *lx);
 bool control_is_open(session_frame_t *f);
 /* `[i=first:last:step]`, at its bracket; is there a value left; the variable gets it; has what it had before. */
 int control_range(session_t *s, lexer_t *lx, control_range_t *r);

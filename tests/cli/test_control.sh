@@ -36,9 +36,37 @@ if (a == 1) {
   print f(-3); b = f(2) ** 3 ; print b
 }
 do for [i=1:2] { if (i == 1) { print "a" } else { print "b" }; print "c" }
+if (0) { print 1 }
+else { print "else on its line" }
+if (1) { print "yes" } # remark
+
+else { print 2 }
+if (0) { print 1 }; print "between"; else { print "later" }
+do for [i=1:2] {
+  if (i == 1) {
+    print "A"
+  }
+  else {
+    print "B"
+  }
+}
+if (1) { if (0) { print 1 }
+else { print "inner" } }
+else { print "outer" }
+if (1)
+{
+  print "brace on its line"
+}
+if (0) print 1; print 2; else print 3; print 4
+if (1) print 1; else print 2; do for [i=1:2] {
+  print i
+}
+if (0) print 1; do for [i=1:2] {
+  print i
+}; print 4; else print 6
 END
     ours a.gp >ours.txt 2>&1
-    [ "$(wc -l <ours.txt)" = 37 ]
+    [ "$(wc -l <ours.txt)" = 49 ]
     command -v gnuplot >/dev/null || return 0
     gnuplot a.gp >theirs.txt 2>&1
     diff theirs.txt ours.txt
@@ -48,6 +76,8 @@ END
 alternatives_may_follow_each_other() { # gnuplot 5.4 wants `else { if`
     printf 'do for [a=1:4] {\n  if (a == 1) {\n    print "one"\n  } else if (a == 2) {\n    print "two"\n  } else if (a == 3) { print "three" } else {\n    print "many"\n  }\n}\n' >a.gp
     [ "$(ours a.gp | tr '\n' ' ')" = 'one two three many ' ]
+    printf 'do for [a=1:3] {\nif (a == 1)\n{\nprint "one"\n}\nelse if (a == 2)\n{\nprint "two"\n}\nelse\n{\nprint "many"\n}\n}\n' >a.gp
+    [ "$(ours a.gp | tr '\n' ' ')" = 'one two many ' ]
     # a condition without braces reaches to the end of its physical line
     printf 'do for [a=1:2] {\n  if (a == 1) print "first"; else print "other"\n  if (a == 2) print "x"; print "y"\n  print "end"\n}\n' >a.gp
     [ "$(ours a.gp | tr '\n' ' ')" = 'first end other x y end ' ]
@@ -66,6 +96,12 @@ every_plot_in_a_loop_is_a_page() {
 }
 
 errors_name_the_line_of_the_block() {
+    expect_mistakes <<'MISTAKES'
+else { print 1 }@column 1: there is no `if` to this `else`
+if (1) { print 1 } print 2@column 20: the end of the command expected
+do for [i=1:2] { print i } print 2@column 28: the end of the command expected
+{ print 1 }@column 1: a block stands behind if, else, do or while only
+MISTAKES
     printf 'a = 1\ndo for [i=1:2] {\n  print i # fine\n  print 1 +\n}\n' >a.gp
     expect_status 2 ours a.gp 2>err
     expect_text err '"a.gp", line 4, column 12: invalid expression'

@@ -207,12 +207,13 @@ static void statement(draft_t *d, int depth) {
     static const char *const COUNTS[] = {"1:3",   "2:6:2", "3:1:-1", "0:10:4", "2:1",
                                          "n:n+2", "1:2",   "1:n/5",  "1.5:3",  "1:3:0"};
     static const char *const WORDS[] = {"'one two'", "\"q  r s\"", "t", "''", "s.' '.t", "3"};
+    static const char *const ELSE[] = {" else ", "\nelse ", "; else "};
     static int loop;
     switch (depth > 0 ? below(d, 12) : 0) {
     case 7:
         add(d, "if (%s) ", condition(d));
         block(d, depth);
-        if (below(d, 2)) add(d, " else "), block(d, depth);
+        if (below(d, 2)) add(d, "%s", PICK(ELSE)), block(d, depth);
         break;
     case 8:
         if (depth == 2) add(d, "if (%s) print 'yes'; else print 'no'", condition(d)); /* not in brackets */
@@ -235,7 +236,7 @@ static void statement(draft_t *d, int depth) {
         add(d, "}");
         break;
     case 6:
-        add(d, "%ssplot %s", below(d, 2) ? "" : "set isosamples 5; ", below(d, 2) ? "x*y" : value(d));
+        add(d, "%ssplot 1*%s", below(d, 2) ? "" : "set isosamples 5; ", below(d, 2) ? "x*y" : value(d));
         break;
     case 5:
     case 4:
@@ -249,10 +250,12 @@ static void statement(draft_t *d, int depth) {
 
 /* A slip: a character left out, doubled, or another one; blanks where there were none. */
 static void slip(draft_t *d, size_t from) {
-    static const char OTHERS[] = "()[]{}:;,.'\"=+-*/ 01xa#\\&|<>!?$@^~%";
-    if (d->len - from < 2 || strstr(d->text + from, "while")) return; /* that might never end */
+    static const char OTHERS[] = "()[]:;,.'\"=+-*/ 01xa#\\&|<>!?$@^~%";
+    /* Loops might not end, and most options are not looked at. */
+    if (d->len - from < 2 || strstr(d->text + from, "while") || strstr(d->text + from, "set ")) return;
     const size_t at = from + (size_t)below(d, (int)(d->len - from));
     char *c = d->text + at;
+    if (*c == '{' || *c == '}') return; /* the rest would be waited for */
     switch (below(d, 4)) {
     case 0:
         memmove(c, c + 1, d->len - at);

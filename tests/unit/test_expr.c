@@ -369,7 +369,7 @@ static void mistakes_are_reported(void **state) {
     assert_int_equal(expr_value(&lang, &lx, &v, &err), 0);
     assert_int_equal(v.m, 7);
     assert_true(lexer_is_name(&lx, "with"));
-    static const char *const ends[] = {"1 2", "1,2", "1:2", "1)", "1]", "1 [", "1;2", "1 'a'", "1 {", "1 = 2", "1 # 2"};
+    static const char *const ends[] = {"1 2", "1,2", "1:2", "1)", "1]", "1;2", "1 'a'", "1 {", "1 = 2", "1 # 2"};
     for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
         lx = start(ends[i]);
         assert_int_equal(expr_value(&lang, &lx, &v, &err), 0);
