@@ -165,7 +165,7 @@ static int behind_operand(compiler_t *c) {
     }
 #if CONFIG_CONTROL
     r = compile_behind(c, in);
-    if (r != -1) return r;
+    if (r != COMPILE_NOT_TEXT) return r;
     r = 0;
 #endif
     if (b >= 0) {

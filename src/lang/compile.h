@@ -51,7 +51,8 @@ int compile_operand(compiler_t *c);
 /* compile_text.c: texts and arrays. Does an operand of theirs begin here; takes it, as compile_operand does. */
 bool compile_is_text(const compiler_t *c);
 int compile_text(compiler_t *c);
-/* The same behind an operand: -1 if nothing of theirs stands here. in: the open bracket, or NULL. */
+/* The same behind an operand: COMPILE_NOT_TEXT if nothing of theirs stands here. in: the open bracket, or NULL. */
+#define COMPILE_NOT_TEXT 3
 int compile_behind(compiler_t *c, pending_t *in);
 /* A function without a name of the user's: of the topmost n operands. */
 void compile_builtin(compiler_t *c, const char *name, int n);

@@ -97,7 +97,7 @@ static int operator(compiler_t *c, const char *name, int precedence) {
 
 int compile_behind(compiler_t *c, pending_t *in) {
     lexer_t *lx = c->lx;
-    int r = -1;
+    int r = COMPILE_NOT_TEXT;
     if (lx->tok.kind == '.') {
         r = operator(c, BUILTIN_IS_CONCAT, SUM);
     } else if (lexer_is_name(lx, "eq")) {
@@ -117,7 +117,7 @@ int compile_behind(compiler_t *c, pending_t *in) {
         compile_builtin(c, element ? BUILTIN_IS_ELEMENT : BUILTIN_IS_SLICE, element ? 2 : 3);
         r = 1;
     }
-    if (r >= 0) lexer_next(lx);
+    if (r >= 0 && r != COMPILE_NOT_TEXT) lexer_next(lx);
     return r;
 }
 #endif

@@ -93,10 +93,10 @@ static int body(session_t *s, lexer_t *lx, bool yes) {
 }
 
 int control_open(session_t *s, lexer_t *lx) {
-    const int was = s->alternative;
-    if (was < ALTERNATIVE_BODY)
+    const bool yes = s->alternative == ALTERNATIVE_BODY;
+    if (s->alternative < ALTERNATIVE_BODY)
         return lexer_unexpected(lx, &s->error, "a block stands behind if, else, do or while only");
-    if (was != ALTERNATIVE_BODY_PASSED) return body(s, lx, was == ALTERNATIVE_BODY);
+    if (s->alternative != ALTERNATIVE_BODY_PASSED) return body(s, lx, yes);
     lexer_next(lx);
     skip_block(lx);
     return pass_else(s, lx);

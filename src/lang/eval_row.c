@@ -179,10 +179,12 @@ bool eval_row(lang_t *l, const eval_row_t *r, int width, int n, num_t *out) {
     if (w.failed) return false;
     const value_t *v = stack[0].at;
     for (int k = 0; k < n; k++, v += stack[0].step) {
-        if (NUM_FAST_RARE(v->kind != VALUE_REAL || w.dead >> k & 1))
+        if (NUM_FAST_RARE(v->kind != VALUE_REAL || w.dead >> k & 1)) {
+            if (CONFIG_CONTROL && v->kind == VALUE_TEXT) return false;
             out[k] = w.dead >> k & 1 ? num_undef() : value_num(*v);
-        else
+        } else {
             out[k].m = v->m, out[k].e = v->e, out[k].undef = false;
+        }
     }
     return true;
 }

@@ -249,6 +249,7 @@ int hoist_points(const hoist_t *h, int32_t i, int n, num_t *out) {
         for (int k = done; k < done + some; k++) {
             value_t v;
             int failed = hoist_point(h, i + k, &v);
+            if (CONFIG_CONTROL && v.kind == VALUE_TEXT) failed = ERR_VALUE; /* as of a point alone */
             if (!err) err = failed;
             out[k] = value_num(v);
         }

@@ -50,6 +50,8 @@ static int try_out(session_t *s, const session_source_t *src) {
     }
     s->lang.seed[0] = seed[0];
     s->lang.seed[1] = seed[1];
+    if (CONFIG_CONTROL && !err && v.kind == VALUE_TEXT)
+        return plot_fail(s, src, ERR_VALUE, SAID("a number is needed here, not a text"));
     if (!err) return 0;
     err = expr_fault(&s->lang, &src->name, &s->error);
     if (s->error.column == 0) s->error.column = src->column;

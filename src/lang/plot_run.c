@@ -8,7 +8,7 @@ int plot_fail(session_t *s, const session_source_t *src, int code, const char *m
     return lang_error_set(&s->error, code, src->column, message);
 }
 
-/* Evaluations that failed while drawing: a name that is defined nowhere, in a branch that was not tried. */
+/* Evaluations that failed while drawing: in a branch that was not tried. */
 static int evaluation_error(session_t *s, int32_t n) {
     int32_t item = 0;
     for (int32_t k = 0; k < s->plot.sources && item < n; k++) {
@@ -19,7 +19,10 @@ static int evaluation_error(session_t *s, int32_t n) {
         }
         int err = s->plot.work[item++].expr.source.error;
         if (err)
-            return plot_fail(s, src, err, "some points could not be computed: a name is missing or recursion ran out");
+            return plot_fail(
+                s, src, err,
+                SAID(
+                    "some points could not be computed: a name is missing, a text is no number, or recursion ran out"));
     }
     return 0;
 }

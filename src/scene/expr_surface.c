@@ -14,6 +14,12 @@ static void note_error(expr_source_t *s, int err) {
     if (err && !s->error) s->error = err;
 }
 
+/* A text is no height; as a hole it would be passed over in silence. */
+static inline num_t number(expr_source_t *s, value_t v) {
+    if (CONFIG_CONTROL && v.kind == VALUE_TEXT) note_error(s, ERR_VALUE);
+    return value_num(v);
+}
+
 static __attribute__((noinline)) void seed_for(const expr_source_t *s, const num_t *at, int n) {
     uint64_t hash = noise_hash(s->seed);
     for (int k = 0; k < n; k++) hash = noise_at(hash, at[k]);
@@ -24,7 +30,7 @@ static num_t evaluate(expr_source_t *s, const num_t *at, int n) {
     value_t v;
     if (s->random) seed_for(s, at, n);
     note_error(s, expr_eval(s->lang, &s->expr, at, &v));
-    return value_num(v);
+    return number(s, v);
 }
 
 static num_t place(const expr_grid_t *g, int k, int32_t i) {
@@ -57,7 +63,7 @@ static __attribute__((noinline)) num_t z_anywhere(const expr_grid_t *g, const nu
     if (!hoist_has_column(g->hoist, 0, at[0])) note_error(g->source, hoist_column(g->hoist, 0, at[0]));
     if (!hoist_has_row(g->hoist, at[1])) note_error(g->source, hoist_row(g->hoist, at[1]));
     note_error(g->source, hoist_point(g->hoist, 0, &v));
-    return value_num(v);
+    return number(g->source, v);
 }
 
 static inline num_t z_there(const expr_grid_t *g, const num_t at[2]) {
@@ -72,7 +78,7 @@ static num_t z_at(void *ctx, num_t x, num_t y) {
 static __attribute__((noinline)) num_t z_hoisted(const expr_grid_t *g, int32_t i) {
     value_t v;
     note_error(g->source, hoist_point(g->hoist, i, &v));
-    return value_num(v);
+    return number(g->source, v);
 }
 
 /* Rows are mostly asked for as a whole. */

@@ -75,6 +75,10 @@ a = "x" 3@the end of the command expected
 a = "x"; print a + 1@column 16: this text is not a number
 print !"3"@column 7: non-integer passed to boolean operator
 print "3" & 1@column 7: non-integer passed to boolean operator
+t = "abc"; splot (y>0?t:3)@column 18: a number is needed here, not a text
+t = "abc"; splot (y>3?t:3)@column 18: some points could not be computed: a name is missing, a text is no number
+t = "abc"; splot (y>3?t:x*exp(-y))@column 18: some points could not be computed: a name is missing, a text is no number
+t = "abc"; plot (x>3?t:3)@column 17: some points could not be computed: a name is missing, a text is no number
 set nonsense@column 5: unknown option: nonsense
 unset parametric x@column 18: the end of the command expected
 print sin("x")@column 7: this text is not a number
