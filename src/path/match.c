@@ -20,17 +20,19 @@ typedef struct best {
     uint32_t square;
     uint32_t place;
 } best_t;
-#define NOWHERE UINT32_MAX
+
+/* What is within two cells is nearer, what is marked is not. */
+#define NOBODY ((best_t){1u << 29, UINT32_MAX})
 
 /* Looks at the places from..to. What is nearest so far is kept without a branch, which would be guessed wrong as often
- * as not. Twice a distance is below five cells. */
+ * as not. */
 static inline __attribute__((always_inline)) best_t look(best_t best, const uint32_t *spot, uint32_t at, uint32_t not,
                                                          uint32_t from, uint32_t to) {
     if (to - from > PLACES_SCAN) to = from + PLACES_SCAN;
     for (uint32_t k = from; k < to; k++) {
-        const uint32_t s = spot[k], marked = 0u - (s >> 31); /* that is as far as can be */
-        const int32_t dx = (int32_t)((s - at) << 17) >> 16, dy = (int32_t)(((s >> 16) - (at >> 16)) << 17) >> 16;
-        uint32_t d = ((uint32_t)(dx * dx) + (uint32_t)(dy * dy)) | marked;
+        const uint32_t s = spot[k];
+        const int32_t dx = (int16_t)(s - at), dy = (int16_t)((s >> 16) - (at >> 16));
+        uint32_t d = (uint32_t)(dx * dx) + (uint32_t)(dy * dy);
         d = k == not ? NEAR_FAR : d;
         best.place = d < best.square ? k : best.place;
         best.square = d < best.square ? d : best.square;
@@ -46,8 +48,8 @@ static inline uint32_t square_of(uint32_t v) {
  * and, if they are nearer than what has been found, in three of the next row, where `up` is. */
 static inline uint32_t partner(const pass_t *p, int32_t x, const uint32_t *own, const uint32_t *up, uint32_t k) {
     const uint32_t at = p->spot[k], not = (uint32_t)p->place[k].tip;
-    const uint32_t in_x = at & p->wide, in_y = at >> 16 & p->high;
-    best_t best = look((best_t){NEAR_FAR, NOWHERE}, p->spot, at, not, k + 1, own[1 + (x + 1 < p->nx)]);
+    const uint32_t in_x = at >> 1 & p->wide, in_y = at >> 17 & p->high;
+    best_t best = look(NOBODY, p->spot, at, not, k + 1, own[1 + (x + 1 < p->nx)]);
     const uint32_t above = square_of(p->high + 1 - in_y);
     if (!up || above >= best.square) return best.place;
     const bool left = (x > 0) & (square_of(in_x + 1) + above < best.square);
@@ -79,7 +81,7 @@ static __attribute__((noinline)) int32_t go_through(const places_t *p) {
             for (uint32_t k = row[x]; k < row[x + 1]; k++) {
                 if (places_is_marked(pass.spot[k])) continue;
                 const uint32_t with = partner(&pass, x, row + x, up, k);
-                if (with == NOWHERE) continue;
+                if (with == NOBODY.place) continue;
                 link_places(p, k, with);
                 made++;
             }

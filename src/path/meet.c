@@ -13,8 +13,8 @@ static void link_meeting(places_t *p, uint32_t i, uint32_t j) {
     int32_t *mate = p->chain->pool->mate;
     p->strokes--;
     if (place[i].tip == (int32_t)j) { /* a closed stroke */
-        p->now.spot[i] |= PLACES_MARK;
-        p->now.spot[j] |= PLACES_MARK;
+        places_mark(&p->now.spot[i]);
+        places_mark(&p->now.spot[j]);
         p->loop[p->loops++] = (int32_t)i;
     } else {
         const int32_t a = place[place[i].tip].end, b = place[place[j].tip].end;
@@ -115,7 +115,7 @@ static void look_on(places_t *p, found_t *f, const compare_t *c, uint32_t k, boo
     const uint32_t *spot = p->now.spot;
     const uint32_t n = (uint32_t)p->now.n, own = spot[k], same = right ? c->row : c->cell;
     for (uint32_t j = k + 1; j < n && j <= k + PLACES_SCAN; j++) {
-        if (j > k + AHEAD && ((spot[j] ^ own) & same) != 0) break;
+        if (j > k + AHEAD && ((places_without_mark(spot[j]) ^ own) & same) != 0) break;
         note_close(p, f, c, k, j);
     }
     if (!up) return;
@@ -138,8 +138,8 @@ static void pair_all(places_t *p) {
         const uint32_t from = s - c.back;
         bool meets = false;
         for (uint32_t i = 1; i <= AHEAD; i++) meets |= is_close(&c, from, spot[k + i]);
-        const bool right = (s & c.wide) + c.by > c.wide, up = (s >> 16 & c.high) + c.by > c.high;
-        const bool more = ((spot[k + AHEAD + 1] ^ s) & c.cell) == 0;
+        const bool right = (s >> 1 & c.wide) + c.by > c.wide, up = (s >> 17 & c.high) + c.by > c.high;
+        const bool more = ((places_without_mark(spot[k + AHEAD + 1]) ^ s) & c.cell) == 0;
         if (meets | right | up | more) look_on(p, &found, &c, k, right, up);
     }
     for (uint32_t i = found.n < FOUND ? 0 : found.n - FOUND; i < found.n; i++) look_at(p, &found, i);
@@ -153,8 +153,8 @@ static void open_loop(places_t *p, uint32_t i) {
     if (loop_open_at(p->chain, list->place[i].end, &joint)) {
         list->place[places_find(p, joint.other, joint.at)].end = joint.end;
     } else {
-        list->spot[i] &= ~PLACES_MARK;
-        list->spot[list->place[i].tip] &= ~PLACES_MARK;
+        places_unmark(&list->spot[i]);
+        places_unmark(&list->spot[list->place[i].tip]);
         p->strokes++;
     }
 }

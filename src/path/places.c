@@ -5,7 +5,7 @@
 #if CONFIG_MANY_STROKES
 
 #define CROWD 1           /* ends to a cell: the search looks at the fewest */
-#define FINE_CELL_BITS 12 /* a cell is at most so many bits wide */
+#define FINE_CELL_BITS 11 /* a cell is at most so many bits wide */
 
 static int32_t *take_list(place_list_t *list, int32_t *mem, int32_t n) {
     list->n = n;
@@ -109,8 +109,8 @@ bool places_sort(places_t *p, chain_t *c, page_point_t at, page_point_t home, in
 }
 
 void places_drop(places_t *p, int32_t at) {
-    p->now.spot[at] |= PLACES_MARK;
-    p->now.spot[p->now.place[at].tip] |= PLACES_MARK;
+    places_mark(&p->now.spot[at]);
+    places_mark(&p->now.spot[p->now.place[at].tip]);
     p->strokes--;
 }
 
@@ -156,7 +156,7 @@ static window_t window_near(const places_t *p, page_point_t at) {
 }
 
 static inline bool is_in(const window_t *w, uint32_t spot) {
-    const uint32_t x = spot - w->at + w->by, y = (spot >> 16) - (w->at >> 16) + w->by;
+    const uint32_t x = ((spot - w->at) >> 1) + w->by, y = (spot >> 17) - (w->at >> 17) + w->by;
     return ((x & PLACES_MASK) <= 2 * w->by) & ((y & PLACES_MASK) <= 2 * w->by) & !places_is_marked(spot);
 }
 

@@ -4,7 +4,7 @@
  * near is looked at without going anywhere else. Ends that meet are paired here (meet.h), and strokes are put in order
  * (match.h). Beside a place's end stands its tip, the place of the other end of its stroke or chain of strokes; so
  * linking two of them is four numbers changed, however long they are.
- * Coordinates are 15 bits an axis that begin again every eight cells or more: whoever compares them knows that they are
+ * Coordinates are 15 bits an axis that begin again every sixteen cells or more: whoever compares them knows that they are
  * at most three cells apart. Cost: linear; 16 bytes an end are touched. */
 #ifndef PLACES_H
 #define PLACES_H
@@ -21,9 +21,11 @@ typedef struct place {
     int32_t end, tip;
 } place_t;
 
-/* Where the ends are lies together, for that is what is looked through: x, y from bit 16 on, and a mark on those that
- * have a link. One number, written as a whole: read as one what is written in parts, it would have to wait. */
-#define PLACES_MARK (1u << 31)
+/* Where the ends are lies together, for that is what is looked through. A spot is one number, written as a whole (read
+ * as one what is written in parts, it would have to wait): twice x, twice y from bit 16 on, so that differences are
+ * those of 16 bits. Ends that have a link are marked: farther away than anything that is compared, and odd. */
+#define PLACES_SPOT(x, y) ((uint32_t)(x) << 1 | (uint32_t)(y) << 17)
+#define PLACES_FAR_AWAY (UINT32_C(1) << 31)
 typedef struct place_list {
     int32_t n;
     uint32_t *spot;
@@ -61,9 +63,19 @@ int places_near(const places_t *p, page_point_t at, uint32_t *out, int max);
 uint32_t places_find(const places_t *p, int32_t e, page_point_t at);
 #define PLACES_NONE UINT32_MAX
 
-#define PLACES_SPOT(x, y) ((uint32_t)(x) | (uint32_t)(y) << 16)
 static inline bool places_is_marked(uint32_t spot) {
-    return (spot & PLACES_MARK) != 0;
+    return (spot & 1) != 0;
+}
+/* Of a spot that is not marked, and of one that is. */
+static inline void places_mark(uint32_t *spot) {
+    *spot = (*spot ^ PLACES_FAR_AWAY) | 1;
+}
+static inline void places_unmark(uint32_t *spot) {
+    *spot = (*spot ^ PLACES_FAR_AWAY) & ~UINT32_C(1);
+}
+/* The spot, marked or not, that it was before. */
+static inline uint32_t places_without_mark(uint32_t spot) {
+    return (spot ^ spot << 31) & ~UINT32_C(1);
 }
 /* The first place of the cell that a point is in, in start. */
 static inline uint32_t *places_cell(const places_t *p, page_point_t at) {
@@ -75,8 +87,8 @@ static inline void places_link(const place_list_t *list, uint32_t i, uint32_t j)
     const place_t a = list->place[i], b = list->place[j];
     list->place[a.tip].tip = b.tip;
     list->place[b.tip].tip = a.tip;
-    list->spot[i] |= PLACES_MARK;
-    list->spot[j] |= PLACES_MARK;
+    places_mark(&list->spot[i]);
+    places_mark(&list->spot[j]);
 }
 
 #endif
