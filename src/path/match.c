@@ -110,26 +110,35 @@ static inline int32_t far_end(const int32_t *mate, int32_t e) {
     return e;
 }
 
-static inline int32_t told(const places_t *p, int32_t e) {
-    return chain_is_plain(p->chain, e >> 1) && p->chain->pool->mate[pool_other_end(e)] < 0 ? e | TOUR_PLAIN : e;
+/* The stroke entered at e has the place k in the order. Returns 1 if it is not plain, else 0. */
+static inline int32_t put_stroke(const places_t *p, tour_t *t, int32_t k, int32_t e) {
+    const bool plain = chain_is_plain(p->chain, e >> 1) & (p->chain->pool->mate[pool_other_end(e)] < 0);
+    t->order[k] = e | (plain ? TOUR_PLAIN : 0);
+    return !plain;
 }
 
-int32_t *match_order(places_t *p) {
-    if (p->strokes < MATCH_STROKES_MIN) return NULL;
-    int32_t *order = (int32_t *)(void *)p->now.spot;
+bool match_order(places_t *p, tour_t *t) {
+    if (p->strokes < MATCH_STROKES_MIN) return false;
     const int32_t *mate = p->chain->pool->mate;
+    int32_t *order = (int32_t *)(void *)p->now.spot, *winding = order + p->strokes;
     link_all(p);
+    *t = (tour_t){.n = p->strokes, .order = order, .winding = winding, .point = p->chain->point};
     /* From where the pen is and back from its home, in turn: the next of one is on its way from memory while the other
      * goes on. */
-    int32_t from = p->pen + 1, to = p->pen;
-    for (int32_t k = 0, last = p->strokes - 1; k <= last; k++, last--) {
+    int32_t from = p->pen + 1, to = p->pen, first = 0, last = t->n;
+    for (int32_t k = 0, back = t->n - 1; k <= back; k++, back--) {
         const int32_t e = ~mate[from], f = ~mate[to];
         from = far_end(mate, e);
         to = far_end(mate, f);
-        order[k] = told(p, e);
-        if (k < last) order[last] = told(p, to);
+        winding[first] = k;
+        first += put_stroke(p, t, k, e);
+        if (k == back) break;
+        winding[last - 1] = back;
+        last -= put_stroke(p, t, back, to);
     }
-    return order;
+    while (last < t->n) winding[first++] = winding[last++];
+    t->windings = first;
+    return true;
 }
 
 #endif

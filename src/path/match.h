@@ -16,8 +16,8 @@
 
 #define MATCH_STROKES_MIN 65536
 
-/* Puts the strokes in order, if they are so many: the ends at which they are entered, and TOUR_PLAIN (tour.h). Else
- * returns NULL. The far sides of free ends are no longer known then (pool.h). Cost near-linear. */
-int32_t *match_order(places_t *p);
+/* Puts the strokes in order, if they are so many: a tour of ends of runs (tour.h). Else returns false. The far sides of
+ * free ends are no longer known then (pool.h). Cost near-linear. */
+bool match_order(places_t *p, tour_t *t);
 
 #endif

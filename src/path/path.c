@@ -181,10 +181,7 @@ static void order(path_t *p, tour_t *tour, bool all, bool improve) {
     places_t places;
     const bool many = pair_many(p, &places, &chain, all);
     if (!many) pair(p, &chain, all);
-    if (many && (tour->order = match_order(&places)) != NULL) {
-        tour->n = places.strokes;
-        tour->end = NULL;
-        tour->point = chain.point;
+    if (many && match_order(&places, tour)) {
         tell(p, all, TOLD_ORDERED);
         return;
     }
@@ -230,6 +227,9 @@ static int flush(path_t *p, enum flush why) {
             if (err) return err;
             continue;
         }
+#if CONFIG_FETCH && CONFIG_MANY_STROKES
+        tour_fetch_winding(&tour, pool, p->config.fetch, p->map->ctx);
+#endif
         int32_t start = tour_stroke(&tour, pool, k);
         if (!all && drop_if_dot(p, tour.point, start)) continue;
         if (fed_of(p) && !all)

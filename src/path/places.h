@@ -4,8 +4,8 @@
  * near is looked at without going anywhere else. Ends that meet are paired here (meet.h), and strokes are put in order
  * (match.h). Beside a place's end stands its tip, the place of the other end of its stroke or chain of strokes; so
  * linking two of them is four numbers changed, however long they are.
- * Coordinates are 15 bits an axis that begin again every sixteen cells or more: whoever compares them knows that they are
- * at most three cells apart. Cost: linear; 16 bytes an end are touched. */
+ * Coordinates are 15 bits an axis that begin again every sixteen cells or more: whoever compares them knows that they
+ * are at most three cells apart. Cost: linear; 16 bytes an end are touched. */
 #ifndef PLACES_H
 #define PLACES_H
 

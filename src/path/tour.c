@@ -139,14 +139,26 @@ static void fetch_on(const tour_t *t, const pool_t *pool, int32_t e, ink_fetch_t
     if (next >= 0) fetch_run(t, pool, next);
 }
 
+#if CONFIG_MANY_STROKES
+/* Which strokes are plain is guessed wrong as often as not: so it is asked where they are drawn, and nowhere else. */
+void tour_fetch_winding(tour_t *t, const pool_t *pool, ink_fetch_t fetch, void *ctx) {
+    if (!is_of_ends(t)) return;
+    const int32_t k = t->wound++;
+    if (k + 2 * TOUR_FETCH_WINDING >= t->windings) return;
+    fetch_on(t, pool, end_at(t, t->winding[k + TOUR_FETCH_WINDING]), fetch, ctx);
+    fetch_run(t, pool, end_at(t, t->winding[k + 2 * TOUR_FETCH_WINDING]));
+}
+#endif
+
 void tour_fetch(const tour_t *t, const pool_t *pool, int32_t k, ink_fetch_t fetch, void *ctx) {
     if (k + 3 * TOUR_FETCH >= t->n) return;
-    if (!tour_is_plain(t, k + TOUR_FETCH)) fetch_on(t, pool, end_at(t, k + TOUR_FETCH), fetch, ctx);
     const int32_t e = end_at(t, k + 2 * TOUR_FETCH);
-    if (!is_of_ends(t)) __builtin_prefetch(&t->end[t->order[k + 3 * TOUR_FETCH] >> 1]);
-    if (!tour_is_plain(t, k + 2 * TOUR_FETCH))
-        fetch_run(t, pool, e);
-    else if (t->point)
-        __builtin_prefetch(&t->point[e & ~1]); /* nothing else is needed of it */
+    if (is_of_ends(t)) {
+        __builtin_prefetch(&t->point[e & ~1]); /* nothing else is needed of a plain one */
+        return;
+    }
+    fetch_on(t, pool, end_at(t, k + TOUR_FETCH), fetch, ctx);
+    __builtin_prefetch(&t->end[t->order[k + 3 * TOUR_FETCH] >> 1]);
+    fetch_run(t, pool, e);
 }
 #endif

@@ -15,7 +15,8 @@
 #define TOUR_QUIET (1 << 30) /* in tour.end: nothing around this stroke can be improved at the moment */
 #define TOUR_PLAIN (1 << 30) /* in tour.order */
 
-#define TOUR_FETCH 6 /* strokes that memory is asked for ahead, three times */
+#define TOUR_FETCH 6         /* strokes that memory is asked for ahead, three times */
+#define TOUR_FETCH_WINDING 2 /* and of those that are not plain, twice */
 #define TOUR_FETCH_VERTICES 4
 
 typedef struct tour {
@@ -26,6 +27,10 @@ typedef struct tour {
     int32_t *end;   /* n: n + 1: a free end of the stroke (pool.h), that item 2k stands for; and TOUR_QUIET */
     spot_t *spot;   /* 2 (n + 1) items */
     const page_point_t *point; /* of every end of a run, if there was memory to keep them; or NULL */
+#if CONFIG_MANY_STROKES
+    int32_t *winding; /* if `end` is NULL: the places of those that are not TOUR_PLAIN, in order */
+    int32_t windings, wound;
+#endif
     near_t near;
     int64_t budget;          /* operations left: a distance computed, or four places moved, is one */
     void (*tick)(void *ctx); /* called now and then by tour_improve, or NULL */
@@ -48,6 +53,8 @@ static inline bool tour_is_plain(const tour_t *t, int32_t k) {
 /* The end from which the stroke in place k is to be drawn, 0 <= k < n. */
 int32_t tour_stroke(const tour_t *t, const pool_t *pool, int32_t k);
 #if CONFIG_FETCH
+/* The stroke to be drawn is the next that is not TOUR_PLAIN: asks for what those read that come soon. */
+void tour_fetch_winding(tour_t *t, const pool_t *pool, ink_fetch_t fetch, void *ctx);
 /* To be called before the stroke in place k is drawn: asks the cache for those that come soon, and `fetch` (or NULL)
  * for the vertices between their ends. */
 void tour_fetch(const tour_t *t, const pool_t *pool, int32_t k, ink_fetch_t fetch, void *ctx);

@@ -101,16 +101,19 @@ static void all_strokes_are_passed_once(void **state) {
         fill(layout, CAP);
         const double walked = walk();
         fill(layout, CAP);
-        int32_t *order = match_order(&places);
-        assert_non_null(order);
-        const int32_t strokes = places.strokes;
+        tour_t tour;
+        assert_true(match_order(&places, &tour));
+        int32_t *order = tour.order, winding = 0;
+        const int32_t strokes = tour.n;
         for (int32_t k = 0; k < strokes; k++) {
             const bool plain = order[k] & TOUR_PLAIN;
             order[k] &= ~TOUR_PLAIN;
+            if (!plain) assert_int_equal(tour.winding[winding++], k);
             const run_t *r = &pool.run[order[k] >> 1];
             assert_true(plain == (pool.mate[pool_other_end(order[k])] < 0 &&
                                   ink_next(INK_ROW, run_t_of(r, 0), run_t_of(r, 1)) == run_t_of(r, 1)));
         }
+        assert_int_equal(tour.windings, winding);
         const double matched = go(order, strokes);
         print_message("# match: %d strokes %s: %.0f mm, %.0f by the walk to the nearest\n", (int)strokes, NAME[layout],
                       matched, walked);
