@@ -16,7 +16,7 @@
 #define TOUR_PLAIN (1 << 30) /* in tour.order */
 
 #define TOUR_FETCH 6         /* strokes that memory is asked for ahead, three times */
-#define TOUR_FETCH_WINDING 2 /* and of those that are not plain, twice */
+#define TOUR_FETCH_WINDING 3 /* and of those that are not plain, twice */
 #define TOUR_FETCH_VERTICES 4
 
 typedef struct tour {
