@@ -5,7 +5,7 @@
 #if CONFIG_MANY_STROKES
 
 #define FOUND 16 /* pairs of places that wait until their points have come from memory; a power of two */
-#define AHEAD 6  /* places that are compared without asking whose cell they are of */
+#define AHEAD 6  /* places that are compared at a time, without asking whose cell they are of */
 
 /* The ends in the places i and j have been paired: they are so in their places, too. */
 static void link_meeting(places_t *p, uint32_t i, uint32_t j) {
@@ -84,7 +84,7 @@ static inline void note(places_t *p, found_t *f, uint32_t k, uint32_t j) {
 typedef struct compare {
     uint32_t by, back, beyond;
     uint32_t wide, high; /* masks of what is within a cell */
-    uint32_t cell, row;  /* bits that are the same in one cell; in one row of them */
+    uint32_t cell;       /* bits that are the same in one cell */
 } compare_t;
 
 static compare_t make_compare(const places_t *p) {
@@ -97,50 +97,50 @@ static compare_t make_compare(const places_t *p) {
                        .beyond = PLACES_SPOT(PLACES_MASK & ~within, PLACES_MASK & ~within),
                        .wide = wide,
                        .high = high,
-                       .cell = PLACES_SPOT(PLACES_MASK & ~wide, PLACES_MASK & ~high),
-                       .row = PLACES_SPOT(0, PLACES_MASK & ~high)};
+                       .cell = PLACES_SPOT(PLACES_MASK & ~wide, PLACES_MASK & ~high)};
 }
 
 static inline bool is_close(const compare_t *c, uint32_t from, uint32_t spot) {
     return ((spot - from) & c->beyond) == 0;
 }
 
-static inline void note_close(places_t *p, found_t *f, const compare_t *c, uint32_t k, uint32_t j) {
+static inline void note_close(places_t *p, found_t *f, const compare_t *c, uint32_t k, uint32_t from, uint32_t to) {
     const uint32_t *spot = p->now.spot;
-    if (is_close(c, spot[k] - c->back, spot[j]) && !places_is_marked(spot[j])) note(p, f, k, j);
+    if (to - from > PLACES_CROWD) to = from + PLACES_CROWD;
+    for (uint32_t j = from; j < to; j++) {
+        if (is_close(c, spot[k] - c->back, spot[j]) && !places_is_marked(spot[j])) note(p, f, k, j);
+    }
 }
 
-/* Looks at what comes after the place k: in its cell, and, if it is at the border, in those beyond. */
-static void look_on(places_t *p, found_t *f, const compare_t *c, uint32_t k, bool right, bool up) {
-    const uint32_t *spot = p->now.spot;
-    const uint32_t n = (uint32_t)p->now.n, own = spot[k], same = right ? c->row : c->cell;
-    for (uint32_t j = k + 1; j < n && j <= k + PLACES_SCAN; j++) {
-        if (j > k + AHEAD && ((places_without_mark(spot[j]) ^ own) & same) != 0) break;
-        note_close(p, f, c, k, j);
-    }
-    if (!up) return;
+/* Looks beyond the borders of the cell that the place k is in, where it is near them. */
+static __attribute__((noinline)) void look_beyond(places_t *p, found_t *f, const compare_t *c, uint32_t k, bool right,
+                                                  bool up) {
     const page_point_t at = p->chain->point[p->now.place[k].end];
     const uint32_t *cell = places_cell(p, at);
     const int32_t y = (at.y_lat - p->box.y0) >> p->cell_y, x = (at.x_lat - p->box.x0) >> p->cell_x;
-    if (y + 1 == p->ny) return;
-    const uint32_t from = cell[p->nx - (x > 0)], to = cell[p->nx + 1 + (x + 1 < p->nx)];
-    for (uint32_t j = from; j < to && j < from + 3 * PLACES_SCAN; j++) note_close(p, f, c, k, j);
+    const bool more = x + 1 < p->nx;
+    if (right && more) note_close(p, f, c, k, cell[1], cell[2]);
+    if (up && y + 1 < p->ny) note_close(p, f, c, k, cell[p->nx - (x > 0)], cell[p->nx + 1 + more]);
 }
 
+/* In its cell an end is compared with those that come after it, so many at a time. */
 static void pair_all(places_t *p) {
     const compare_t c = make_compare(p);
     const uint32_t n = (uint32_t)p->now.n;
     const uint32_t *spot = p->now.spot;
     found_t found = {.n = 0};
     for (uint32_t k = 0; k < n; k++) {
-        const uint32_t s = spot[k];
+        const uint32_t s = spot[k], from = s - c.back;
         if (places_is_marked(s)) continue;
-        const uint32_t from = s - c.back;
-        bool meets = false;
-        for (uint32_t i = 1; i <= AHEAD; i++) meets |= is_close(&c, from, spot[k + i]);
+        uint32_t j = k + 1;
+        do {
+            bool meets = false;
+            for (uint32_t i = 0; i < AHEAD; i++) meets |= is_close(&c, from, spot[j + i]);
+            if (meets) note_close(p, &found, &c, k, j, j + AHEAD < n ? j + AHEAD : n);
+            j += AHEAD;
+        } while (((places_without_mark(spot[j]) ^ s) & c.cell) == 0 && j < k + PLACES_SCAN && j < n);
         const bool right = (s >> 1 & c.wide) + c.by > c.wide, up = (s >> 17 & c.high) + c.by > c.high;
-        const bool more = ((places_without_mark(spot[k + AHEAD + 1]) ^ s) & c.cell) == 0;
-        if (meets | right | up | more) look_on(p, &found, &c, k, right, up);
+        if (right | up) look_beyond(p, &found, &c, k, right, up);
     }
     for (uint32_t i = found.n < FOUND ? 0 : found.n - FOUND; i < found.n; i++) look_at(p, &found, i);
 }
