@@ -150,7 +150,7 @@ int edges_clip_line(edges_t *e, pencil_t p0, pencil_t p1) {
 /* Stretches for lowest.h, as a power of two: so many to a column, if that takes a small part of the memory; or -1. */
 #define LOWEST_PER_COLUMN (CONFIG_64BIT ? 8 : 4)
 #define LOWEST_PART (CONFIG_64BIT ? 8 : 16)
-#define LOWEST_VERTICES(bits) ((((size_t)2 * sizeof(int16_t)) << (bits)) / sizeof(pencil_t))
+#define LOWEST_VERTICES(bits) ((((size_t)2 * sizeof(uint16_t)) << (bits)) / sizeof(pencil_t))
 
 static int lowest_bits(int32_t columns, size_t vertices) {
     int bits = 1;
@@ -178,7 +178,7 @@ int edges_init(edges_t *e, const ink_sink_t *sink, enum edges_cover cover, int8_
         envelope_lend(&e->horizons.upper, &e->windows.spare);
         e->windows.above = &e->horizons.upper;
     }
-    if (lent) horizons_lend(&e->horizons, (int16_t *)(void *)pool, bits);
+    if (lent) horizons_lend(&e->horizons, (uint16_t *)(void *)pool, bits);
     return err;
 }
 

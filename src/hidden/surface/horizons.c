@@ -9,7 +9,7 @@ int horizons_init(horizons_t *h, bool upper, bool lower, pencil_t *pool, size_t 
     return envelope_init(upper ? &h->upper : &h->lower, upper && lower ? &h->lower : NULL, pool, count);
 }
 
-void horizons_lend(horizons_t *h, int16_t *mem, int bits) {
+void horizons_lend(horizons_t *h, uint16_t *mem, int bits) {
     if (h->has_upper) h->lowest_upper = lowest_make(mem, bits);
     if (h->has_lower) h->lowest_lower = lowest_make(mem + (INT32_C(1) << bits), bits);
 }

@@ -24,7 +24,7 @@ int horizons_init(horizons_t *h, bool upper, bool lower, pencil_t *pool, size_t 
 
 /* Lends memory to remember how low the horizons are, 2^bits entries for each of the two: worth it where they have many
  * vertices. */
-void horizons_lend(horizons_t *h, int16_t *mem, int bits);
+void horizons_lend(horizons_t *h, uint16_t *mem, int bits);
 
 /* Is all from abscissa a0 to a1 that is no higher than top hidden by h? Rather no than wrongly yes. What l did not
  * know, it learns. */

@@ -6,6 +6,7 @@
 
 #include "config.h"
 #include "error.h"
+#include "hidden/surface/ahead.h"
 #include "hidden/surface/cells.h"
 #include "hidden/surface/corner.h"
 #include "hidden/surface/holes.h"
@@ -69,6 +70,37 @@ static int outer_facet(sweep_t *s, int32_t i, int32_t inner, int far, bool fresh
     return err;
 }
 
+/* Facets from i on outward, as far as the one before `end`. */
+static int facets_outward(sweep_t *s, int32_t i, int32_t end, int far, bool fresh, bool rightward) {
+    const int32_t by = rightward ? 1 : -1;
+    int err = 0;
+    while (i != end && err == 0) {
+        uint64_t shown = 1;
+        int32_t n = 1;
+        if (!fresh && ahead_is_wanted(s)) {
+            n = pencil_min((end - i) * by, AHEAD_FACETS);
+            shown = ahead_shown(s, i, n, far, rightward);
+        }
+        do { /* those that are hidden, and one more */
+            const int32_t hidden = !AHEAD ? 0 : shown == 0 ? n : __builtin_ctzll(shown);
+            if (hidden > 0) {
+                s->edges.clipped += 2 * hidden;
+                s->last = FACET_HIDDEN;
+                i += by * hidden;
+                n -= hidden;
+                if (n == 0) break;
+            }
+            err = sweep_shade(s, s->layer, i);
+            if (err == 0)
+                err = fresh ? outer_facet(s, i, rightward ? i : i + 1, far, true) : corner_facet(s, i, far, rightward);
+            i += by;
+            n--;
+            if (AHEAD) shown = shown >> hidden >> 1;
+        } while (AHEAD && n > 0 && err == 0 && (s->last == FACET_CUT || s->last == FACET_HIDDEN));
+    }
+    return err;
+}
+
 /* A sweep_row_t: see sweep.h. */
 static int facets_row(sweep_t *s, int far, bool fresh) {
     const chart_t *c = &s->edges.chart;
@@ -78,17 +110,11 @@ static int facets_row(sweep_t *s, int far, bool fresh) {
     s->edges.horizons.skip_upper = s->edges.horizons.skip_lower = false;
     int err = sweep_shade(s, s->layer, i0);
     if (err == 0 && i0 >= first && i0 < end) err = outer_facet(s, i0, -1, far, fresh);
-    for (int32_t i = pencil_max(i0 + 1, first); i < end && err == 0; i++) {
-        err = sweep_shade(s, s->layer, i);
-        if (err == 0) err = fresh ? outer_facet(s, i, i, far, true) : corner_facet(s, i, far, true);
-    }
-    for (int32_t i = pencil_min(i0, end) - 1; i >= first && err == 0; i--) {
-        err = sweep_shade(s, s->layer, i);
-        if (err == 0) err = fresh ? outer_facet(s, i, i + 1, far, true) : corner_facet(s, i, far, false);
-    }
-    s->facets += nx - 1;
     const int32_t right = pencil_max(0, end - pencil_max(i0 + 1, first)),
                   left = pencil_max(0, pencil_min(i0, end) - first);
+    if (err == 0 && right > 0) err = facets_outward(s, end - right, end, far, fresh, true);
+    if (err == 0 && left > 0) err = facets_outward(s, first + left - 1, first - 1, far, fresh, false);
+    s->facets += nx - 1;
     s->edges.clipped += (nx - 2 - right - left) * (fresh ? 3 : 2);
     if (i0 < first || i0 >= end) s->edges.clipped += fresh ? 4 : 3;
     return err;
