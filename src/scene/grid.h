@@ -48,6 +48,10 @@ int grid_measure(grid_t *g, const surface_t *src, const num_t *lo, const num_t *
 /* Row j into zi[0..nx). hole[i] is 1 where the point is undefined and zi[i] is then 0; hole may be NULL
  * when g->holes == 0. Returns the number of holes in the row. */
 int32_t grid_row(grid_t *g, int32_t j, int32_t *zi, uint8_t *hole);
+/* The same if all heights are kept and none is a hole, or NULL. */
+static inline const int32_t *grid_kept_row(const grid_t *g, int32_t j) {
+    return g->cache != NULL && g->holes == 0 ? g->cache + (int64_t)j * g->nx : NULL;
+}
 /* One height; false at a hole. */
 bool grid_height(grid_t *g, int32_t i, int32_t j, int32_t *zi);
 /* The same of a grid with a cache, inline. */

@@ -209,30 +209,32 @@ static inline int32_t raised(const rise_t *r, int32_t zi, int32_t s) {
     return (int32_t)(((uint32_t)(zi >> r->down) << r->up) + (uint32_t)r->origin + (uint32_t)s);
 }
 
-static void row_parallel(const chart_t *c, const rise_t *rise, num_t y, chart_line_t *line) {
+/* Here and below: zi are the heights from line->first on. They may lie in the upper half of the row's points: each is
+ * read before anything is written there. */
+static void row_parallel(const chart_t *c, const rise_t *rise, num_t y, const int32_t *zi, chart_line_t *line) {
     num_t dy = num_sub(y, c->y_ref);
     int32_t q = -plane_fixed(num_mul(c->turn[0], dy), c->x_bits), t = -plane_fixed(num_mul(c->turn[1], dy), c->z_bits);
     for (int32_t i = line->first; i <= line->last; i++) {
-        line->at[i] = (pencil_t){c->p[i] + q, raised(rise, line->at[i].w, c->s[i] + t)};
+        line->at[i] = (pencil_t){c->p[i] + q, raised(rise, *zi++, c->s[i] + t)};
     }
 }
 
-static void row_north(const chart_t *c, const rise_t *rise, num_t y, chart_line_t *line) {
+static void row_north(const chart_t *c, const rise_t *rise, num_t y, const int32_t *zi, chart_line_t *line) {
     const int32_t s = plane_z_of_v(&c->plane, y);
     const int32_t q = c->sign > 0 ? -plane_u_of_v(&c->plane, y) : plane_u_of_v(&c->plane, y);
     const uint32_t r = plane_reciprocal(&c->plane, y);
     const int32_t *p = c->p;
     line->r = r;
     for (int32_t i = line->first; i <= line->last; i++) {
-        line->at[i] = (pencil_t){plane_project(p[i] + q, r), plane_project(raised(rise, line->at[i].w, s), r)};
+        line->at[i] = (pencil_t){plane_project(p[i] + q, r), plane_project(raised(rise, *zi++, s), r)};
     }
 }
 
-static void row_east(const chart_t *c, const rise_t *rise, num_t y, chart_line_t *line) {
+static void row_east(const chart_t *c, const rise_t *rise, num_t y, const int32_t *zi, chart_line_t *line) {
     const int32_t q = c->sign < 0 ? -plane_u(&c->plane, y) : plane_u(&c->plane, y);
     for (int32_t i = line->first; i <= line->last; i++) {
         const chart_column_t *k = &c->column[i];
-        line->at[i] = (pencil_t){plane_project(k->p + q, k->r), plane_project(raised(rise, line->at[i].w, k->s), k->r)};
+        line->at[i] = (pencil_t){plane_project(k->p + q, k->r), plane_project(raised(rise, *zi++, k->s), k->r)};
     }
 }
 
@@ -338,26 +340,29 @@ static void fill_row(const chart_t *c, grid_t *g, int32_t j, chart_line_t *line)
         return;
     }
     const rise_t rise = rise_of(c, g, plane ? c->plane.z_ref : c->z_ref);
-    /* The heights come packed into the upper end of the row's points and are spread out from the front. */
+    /* Where heights are not kept they come packed into the upper half of the row's points. */
     pencil_t *at = line->at + line->first;
-    int32_t *zi = (int32_t *)(void *)at + columns;
-    if (columns == nx)
-        grid_row(g, j, zi, line->hole);
-    else
-        for (int32_t i = 0; i < columns; i++) grid_height(g, line->first + i, j, &zi[i]);
-    for (int32_t i = 0; i < columns; i++) at[i].w = zi[i];
+    int32_t *packed = (int32_t *)(void *)at + columns;
+    const int32_t *zi = columns == nx && line->hole == NULL ? grid_kept_row(g, j) : NULL;
+    if (zi == NULL) {
+        zi = packed;
+        if (columns == nx)
+            grid_row(g, j, packed, line->hole);
+        else
+            for (int32_t i = 0; i < columns; i++) grid_height(g, line->first + i, j, &packed[i]);
+    }
     switch (c->kind) {
     case CHART_PARALLEL:
-        row_parallel(c, &rise, y, line);
+        row_parallel(c, &rise, y, zi, line);
         break;
     case CHART_VERTICAL:
         memset(at, 0, (size_t)columns * sizeof *at);
         break;
     case CHART_NORTH:
-        row_north(c, &rise, y, line);
+        row_north(c, &rise, y, zi, line);
         break;
     case CHART_EAST:
-        row_east(c, &rise, y, line);
+        row_east(c, &rise, y, zi, line);
         break;
     case CHART_AROUND:
         break;
