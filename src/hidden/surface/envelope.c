@@ -233,11 +233,13 @@ pass(envelope_t *h, const edge_t *e, pencil_t v, const bool visible, const bool 
     pencil_t *l = h->l, *r = h->r;
     int64_t tests = 0;
     if (l[-1].a == r->a) return v;
+    /* The orientation, but for what the edge alone adds to it. */
+    const int64_t run = e->q.a - e->p.a, rise = e->q.w - e->p.w, least = run * e->p.w - rise * e->p.a - e->noise;
     while (r->a < e->q.a && r[1].a != r->a) {
         const bool under = r->w < e->hi, far = r->w + ENVELOPE_NOISE < e->lo;
-        const bool below = under & (far | (envelope_orient(e->p, e->q, *r) < -e->noise));
+        const bool below = far | (under & (run * r->w - rise * r->a < least));
         if (below != visible) break;
-        tests += under & !far;
+        tests += under - far; /* what is far is under */
         if (!raise || !visible) *l++ = *r;
         r++;
     }
