@@ -105,9 +105,8 @@ static const char *fn_rand(lang_t *l, value_t *a, int n) {
 static const char *fn_column(lang_t *l, value_t *a, int n) {
     (void)n;
     if (!l->column) return SAID("a column of data makes no sense here");
-    num_t column = value_num(*a);
     bool ok = true;
-    int64_t i = num_to_fixed(num_trunc(column), 0, &ok);
+    int64_t i = a->kind == VALUE_INT ? a->m : num_to_fixed(num_trunc(value_num(*a)), 0, &ok);
     if (!ok || i < INT16_MIN || i > INT16_MAX) return SAID("no such column");
     *a = l->column(l->column_ctx, (int32_t)i);
     return a->kind == VALUE_UNDEF ? ARITH_UNDEFINED : NULL;

@@ -70,6 +70,11 @@ bool expr_is_impure(const lang_t *l, const expr_t *e);
 bool expr_mentions(const lang_t *l, const expr_t *e, int symbol);
 #endif
 
+#if CONFIG_64BIT
+/* Is the value of e decided by columns of data that it names by numbers: *columns, bit c for column c below 63? */
+bool expr_is_of_columns(const lang_t *l, const expr_t *e, uint64_t *columns);
+#endif
+
 /* Compiles, evaluates and forgets the expression at lx: for print and for the numbers in a `set`.
  * expr_value yields undefined values as such only if they are NaN; otherwise, and in the other two for any value that
  * is not a number (or not within [lo, hi]), ERR_VALUE. Returns 0 or an error with *err filled, column included.

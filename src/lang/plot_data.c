@@ -57,6 +57,15 @@ static int start_solid(session_t *s, session_source_t *src, bool inline_data, in
     return err;
 }
 
+#if CONFIG_64BIT
+static void find_columns(const session_t *s, session_source_t *src) {
+    data_spec_t *spec = &src->spec;
+    spec->known = true;
+    for (int k = 0; k < spec->parts; k++)
+        if (spec->part[k] == USING_EXPR) spec->known &= expr_is_of_columns(&s->lang, &src->part[k], &spec->looks[k]);
+}
+#endif
+
 int plot_data_start(session_t *s, session_source_t *src, bool inline_data, int32_t first_line) {
     s->rows_bytes = 0;
 #if CONFIG_PARAMETRIC
@@ -75,6 +84,9 @@ int plot_data_start(session_t *s, session_source_t *src, bool inline_data, int32
 #endif
 #if CONFIG_LOGSCALE
     src->spec.log_base = s->settings.log_axes ? s->log_base : NULL;
+#endif
+#if CONFIG_64BIT
+    find_columns(s, src);
 #endif
     s->lang.column = column_value;
     s->lang.column_ctx = s;

@@ -43,6 +43,12 @@ typedef struct data_spec {
     int32_t part[3]; /* column 1.., USING_... */
     uint64_t wanted; /* bit c: column c is a part: a row without it is an error */
     bool all;        /* expressions may look at any column */
+#if CONFIG_64BIT
+    /* looks[] is known: bit c says that computed part k looks at column c, and it depends on nothing else that changes.
+     */
+    bool known;
+    uint64_t looks[3];
+#endif
     int32_t first_set, last_set, set_step;                                            /* index: 0, INT32_MAX, 1 */
     int32_t point_step, block_step, first_point, first_block, last_point, last_block; /* every: 1,1,0,0,MAX,MAX */
 #if CONFIG_SAMPLED

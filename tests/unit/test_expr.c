@@ -628,6 +628,46 @@ static void columns_of_data(void **state) {
     lang.column = NULL;
 }
 
+#if CONFIG_64BIT
+/* What is evaluated only where its columns change must depend on nothing else. */
+static void columns_of_an_expression(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        bool known;
+        uint64_t columns;
+    } CASES[] = {
+        {"$1*4/999. - 2", true, 2},
+        {"$2 > 0 ? $3 : 1", true, 12},
+        {"column(0) + f($2)", true, 5},
+        {"pi", true, 0},
+        {"a*$1 + column(2)", true, 6},
+        {"$1 && $4 || $2", true, 22},
+        {"column($1)", false, 0},
+        {"column(a > 1 ? 1 : 2)", false, 0},
+        {"column(a > 1 || 2)", false, 0},
+        {"column(-1)", false, 0},
+        {"$33", false, 0},
+        {"$1 + rand(0)", false, 0},
+        {"(a = $1)", false, 0},
+        {"g($1)", false, 0},
+        {"h($1)", false, 0},
+        {"strlen(strcol(2))", false, 0},
+    };
+    define("a = 2; f(x) = x*a; g(x) = x + rand(0); h(x) = g(x)");
+    for (size_t k = 0; k < sizeof CASES / sizeof CASES[0]; k++) {
+        uint8_t code[100];
+        expr_t e;
+        lang_error_t err;
+        uint64_t columns;
+        lexer_t lx = start(CASES[k].text);
+        assert_int_equal(expr_compile(&lang, &lx, NULL, code, sizeof code, &e, &err), 0);
+        if (expr_is_of_columns(&lang, &e, &columns) != CASES[k].known) fail_msg("%s", CASES[k].text);
+        if (CASES[k].known && columns != CASES[k].columns) fail_msg("%s: %d", CASES[k].text, (int)columns);
+    }
+}
+#endif
+
 static void random_numbers_are_gnuplots(void **state) {
     (void)state;
     assert_print("rand(0)", "0.222457440974512");
@@ -709,6 +749,9 @@ int main(void) {
         cmocka_unit_test_setup(common_parts_are_shared, setup),
         cmocka_unit_test_setup(invnorm_inverts_norm, setup),
         cmocka_unit_test_setup(columns_of_data, setup),
+#if CONFIG_64BIT
+        cmocka_unit_test_setup(columns_of_an_expression, setup),
+#endif
         cmocka_unit_test_setup(random_numbers_are_gnuplots, setup),
         cmocka_unit_test_setup(numbers_for_settings, setup),
     };

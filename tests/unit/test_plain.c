@@ -249,6 +249,14 @@ static void pieces_do_not_matter(void **state) {
             if (!below(3)) {
                 spec.part[spec.parts - 1] = USING_EXPR;
                 spec.all = true;
+#if CONFIG_64BIT
+                spec.known = below(4);
+                spec.looks[spec.parts - 1] = (uint64_t)2 << (spec.parts - 1) | 4;
+                if (spec.parts == 3 && below(2)) { /* the y */
+                    spec.part[1] = USING_EXPR;
+                    spec.looks[1] = 4;
+                }
+#endif
             }
         }
         if (!below(5)) spec.point_step = 1 + below(2);
