@@ -42,6 +42,7 @@ static struct {
     char folder[PATH_MAX]; /* of the scene, with its slash, or empty */
     FILE *file[FILES_MAX];
     off_t size[FILES_MAX], done[FILES_MAX]; /* of files: bytes; 0 if nobody knows */
+    bool binary[FILES_MAX];                 /* nothing in it ends a line */
     block_t *block;                         /* all of them */
     char *data;                             /* the session's memory for data */
     size_t data_bytes;
@@ -147,8 +148,7 @@ static void expect_data(off_t file_bytes) {
 #endif
 }
 
-static int port_open(void *ctx, const char *name) {
-    (void)ctx;
+static int open_as(const char *name, bool binary) {
     int handle = 0;
     while (handle < FILES_MAX && script.file[handle]) handle++;
     if (handle == FILES_MAX) return ERR_FULL;
@@ -159,16 +159,27 @@ static int port_open(void *ctx, const char *name) {
         if (n > 0 && (size_t)n < sizeof path) f = fopen(path, "rb");
     }
     if (!f) return ERR_FILE;
-    if (solid_file_is(name)) f = solid_file_open(f, name);
+    if (solid_file_is(name) && !binary) f = solid_file_open(f, name);
     if (!f) return ERR_DATA;
     setvbuf(f, NULL, _IOFBF, CONFIG_READ_CHUNK / 8); /* larger pieces are read where they are wanted */
     struct stat about;
     script.file[handle] = f;
+    script.binary[handle] = binary;
     script.size[handle] = fileno(f) >= 0 && fstat(fileno(f), &about) == 0 && S_ISREG(about.st_mode) ? about.st_size : 0;
     script.done[handle] = 0;
     expect_data(script.size[handle]);
     progress_begin();
     return handle;
+}
+
+static int port_open(void *ctx, const char *name) {
+    (void)ctx;
+    return open_as(name, false);
+}
+
+static int port_open_binary(void *ctx, const char *name) {
+    (void)ctx;
+    return open_as(name, true);
 }
 
 static int port_read(void *ctx, int handle, char *buf, int size) {
@@ -178,7 +189,8 @@ static int port_read(void *ctx, int handle, char *buf, int size) {
     size_t n = fread(buf, 1, (size_t)size, f);
     script.done[handle] += (off_t)n;
     if (script.size[handle]) progress_update("reading", script.done[handle], script.size[handle]);
-    for (char *cr = buf, *end = buf + n; (cr = memchr(cr, '\r', (size_t)(end - cr))) != NULL; cr++) {
+    for (char *cr = buf, *end = buf + (script.binary[handle] ? 0 : n);
+         (cr = memchr(cr, '\r', (size_t)(end - cr))) != NULL; cr++) {
         const int next = cr + 1 < end ? cr[1] : fgetc(f);
         if (cr + 1 == end && next != EOF) ungetc(next, f);
         if (next != '\n') *cr = '\n'; /* lines may end with CR alone */
@@ -257,6 +269,7 @@ void script_begin(job_t *job, bool waits) {
         .print = port_print,
         .warn = port_warn,
         .open = port_open,
+        .open_binary = port_open_binary,
         .read = port_read,
         .close = port_close,
         .keep = port_keep,

@@ -68,6 +68,11 @@
 #define CONFIG_BOUNDED (CONFIG_LOAD_DEPTH > 0)
 #endif
 
+/* Binary data (0 or 1): needs files and CONFIG_SAMPLED. */
+#ifndef CONFIG_BINARY
+#define CONFIG_BINARY (CONFIG_LOAD_DEPTH > 0 && CONFIG_SAMPLED)
+#endif
+
 /* set dgrid3d (0 or 1): 3 KB of flash. */
 #ifndef CONFIG_SCATTERED
 #define CONFIG_SCATTERED CONFIG_AREA

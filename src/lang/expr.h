@@ -70,7 +70,7 @@ bool expr_is_impure(const lang_t *l, const expr_t *e);
 bool expr_mentions(const lang_t *l, const expr_t *e, int symbol);
 #endif
 
-#if CONFIG_64BIT
+#if CONFIG_64BIT || CONFIG_BINARY
 /* Is the value of e decided by columns of data that it names by numbers: *columns, bit c for column c below 63? */
 bool expr_is_of_columns(const lang_t *l, const expr_t *e, uint64_t *columns);
 #endif

@@ -3,7 +3,7 @@
 #include "lang/code.h"
 #include "lang/expr.h"
 
-#if CONFIG_64BIT
+#if CONFIG_64BIT || CONFIG_BINARY
 static bool goes_to(const uint8_t *code, const uint8_t *target) {
     for (const uint8_t *p = code; p < target; p += 1 + code_operands(*p)) {
         const bool jumps = *p == OP_JUMP || *p == OP_JZ || *p == OP_AND || *p == OP_OR;

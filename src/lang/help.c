@@ -201,6 +201,12 @@ static const struct {
      "from 0. Points must lie on a grid of x and y lines, spaced as they like. NaN and ? are holes; # begins a\n"
      "comment. using 1:2:($3*2) computes from columns; using 1 takes one column of heights.\n"
 #endif
+#if CONFIG_BINARY
+     "binary: a matrix of floats with x in its first row and y in its first column, behind their number; binary\n"
+     "array=(nx,ny): x, y counted; record=(nx,ny): among the columns; format='%float%*short%2double' endian=big "
+     "skip=N\n"
+     "dx=D dy=D origin=(x,y,z) center=(x,y,z) flipx flipy transpose.\n"
+#endif
 #if FILES
      "help solids: OBJ files.\n"
 #else

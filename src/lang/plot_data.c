@@ -112,6 +112,7 @@ int plot_data_feed(session_t *s, const char *text, size_t n, bool *stopped) {
 static int trouble(session_t *s, const session_source_t *src, int err, enum data_grid_trouble why, int32_t line,
                    int32_t at) {
     if (why == DATA_OK) return plot_fail(s, src, err, err == ERR_EMPTY ? "no data" : error_text(err));
+    if (CONFIG_BINARY && line == 0 && why != DATA_FULL) return plot_fail(s, src, err, data_grid_text(why));
     if (why == DATA_FULL) {
         s->rows_bytes = (int32_t)(s->pool_size * sizeof(packed_t));
         lang_error_set_number(&s->error, err, at, "more data than the memory for it holds; most bytes", s->rows_bytes);
@@ -192,6 +193,16 @@ static int read_all(session_t *s, session_source_t *src, int handle) {
     const session_port_t *port = s->port;
     int err = plot_data_start(s, src, false, 0);
     bool stopped;
+#if CONFIG_BINARY
+    data_binary_t *b = &s->plot.binary;
+    if (src->binary) {
+        if (!err) data_binary_start(b, &src->layout, &s->plot.reader);
+        for (int n; !err && (n = port->read(port->ctx, handle, c->bytes, CONFIG_READ_CHUNK)) != 0;)
+            err = n < 0 ? n : data_binary_feed(b, c->bytes, (size_t)n);
+        if (!err) err = data_binary_finish(b);
+        return err ? plot_data_failed(s, src, err) : plot_data_done(s);
+    }
+#endif
     for (int n; !err && (n = port->read(port->ctx, handle, c->bytes, CONFIG_READ_CHUNK)) != 0;)
         err = n < 0 ? plot_data_failed(s, src, n) : plot_data_feed(s, c->bytes, (size_t)n, &stopped);
     return err ? err : plot_data_done(s);
@@ -213,7 +224,11 @@ int plot_data_read(session_t *s, session_source_t *src) {
 #if CONFIG_CONTROL
     if (src->file_name) memcpy(name, src->file_name, strlen(src->file_name) + 1);
 #endif
+#if CONFIG_BINARY
+    int handle = (src->binary ? s->port->open_binary : s->port->open)(s->port->ctx, name);
+#else
     int handle = s->port->open(s->port->ctx, name);
+#endif
     if (handle < 0)
         return lang_error_set_name(&s->error, handle, src->column, "cannot read the data file", name, strlen(name));
     int err = read_all(s, src, handle);

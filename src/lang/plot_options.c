@@ -156,13 +156,21 @@ int plot_options_data(session_t *s, lexer_t *lx, session_source_t *src) {
             lexer_next(lx);
             src->solid = true;
         } else if (lexer_is_almost(lx, "bin$ary")) {
+#if CONFIG_BINARY
+            err = plot_options_twice(s, lx, &src->binary);
+            if (!err) err = plot_binary_options(s, lx, src);
+#else
             return session_fail(s, lx, ERR_UNSUPPORTED, "binary data are not read; write them as text");
+#endif
         } else if (words_find(other, lx) >= 0) {
             return lang_error_set_name(&s->error, ERR_UNSUPPORTED, lexer_column(lx), "not supported", lexer_text(lx),
                                        lx->tok.len);
         } else {
             if (src->solid && (src->spec.format != DATA_ROWS || seen_using || seen_index || seen_every))
                 return lang_error_set(&s->error, ERR_SYNTAX, begin, "a solid is neither a matrix nor columns");
+#if CONFIG_BINARY
+            if (src->binary) return plot_binary_fields(s, src);
+#endif
             if (src->spec.format != DATA_ROWS && src->spec.flat)
                 return lang_error_set(&s->error, ERR_UNSUPPORTED, src->column, "a matrix is drawn by splot");
             if (src->spec.format == DATA_NONUNIFORM && !seen_matrix)

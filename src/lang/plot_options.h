@@ -15,6 +15,11 @@ int32_t plot_options_cosine(num_t degrees);
 int plot_options_twice(session_t *s, const lexer_t *word, bool *seen);
 /* plot_looks.c: title, with lines, and what concerns colours and widths. */
 int plot_options_style(session_t *s, lexer_t *lx, session_source_t *src);
+#if CONFIG_BINARY
+/* plot_binary.c: binary and the words that belong to it, into src->layout; the end of all options. */
+int plot_binary_options(session_t *s, lexer_t *lx, session_source_t *src);
+int plot_binary_fields(session_t *s, session_source_t *src);
+#endif
 #if CONFIG_SAMPLED
 /* plot_sampled.c: `sample` and ranges in front of an element, whose names go to params; the file '+', or '++', whose
  * using expressions know params until the element's end; the expressions of a parametric or polar curve; computes all

@@ -5,8 +5,9 @@
  * Nothing is drawn if any part of a plot command is wrong, and a line is executed command by command: what stands
  * before a wrong command has been done.
  *
- * Memory: sizeof(session_t) is 120 KB with the desktop's capacities, half of it lang_t (names.h), and 6 KB with a small
- * board's (config.h). Context: main loop only. No recursion: `load` has its own small stack of files. */
+ * Memory: sizeof(session_t) is 300 KB with the desktop's capacities, half of it pieces of files, which are touched as
+ * they are needed, a quarter lang_t (names.h); and 6 KB with a small board's (config.h). Context: main loop only. No
+ * recursion: `load` has its own small stack of files. */
 #ifndef SESSION_H
 #define SESSION_H
 
@@ -17,6 +18,7 @@
 #include "lang/settings.h"
 #include "lang/texts.h"
 #include "lang/words.h"
+#include "scene/data_binary.h"
 #include "scene/data_crop.h"
 #include "scene/data_reader.h"
 #include "scene/expr_surface.h"
@@ -25,13 +27,17 @@
 #include <string.h>
 
 /* What the host or board does for a session. Functions return 0 (or a count) or a negative error, which ends the
- * line and comes back from session_line(). None but `keep` may be NULL. */
+ * line and comes back from session_line(). None may be NULL but those that say so. */
 typedef struct session_port {
     void *ctx;
     void (*print)(void *ctx, const char *text); /* what `print`, `show`, `help` say; contains its own newlines */
     void (*warn)(void *ctx, const char *text);  /* warnings and errors; contains its own newlines */
     /* Opens a data file or a script for reading: a handle >= 0, or ERR_FILE. */
     int (*open)(void *ctx, const char *name);
+#if CONFIG_BINARY
+    /* The same for a file of bytes that mean no characters. May be NULL. */
+    int (*open_binary)(void *ctx, const char *name);
+#endif
     /* Up to size bytes: how many, 0 at the end, or a negative error. */
     int (*read)(void *ctx, int handle, char *buf, int size);
     void (*close)(void *ctx, int handle);
@@ -128,6 +134,10 @@ typedef struct session_source {
     expr_t expr;    /* of the element */
     expr_t part[3]; /* of using; of a parametric surface */
     data_spec_t spec;
+#if CONFIG_BINARY
+    bool binary;
+    binary_spec_t layout;
+#endif
     int32_t first_grid, grids; /* of data */
     int32_t smooth_q30;        /* cosine of `crease` (mesh.h) */
 #if CONFIG_PARAMETRIC
@@ -244,6 +254,9 @@ typedef struct session {
         union { /* the data being read; when they are, what is drawn */
             struct {
                 data_reader_t reader;
+#if CONFIG_BINARY
+                data_binary_t binary;
+#endif
 #if CONFIG_PARAMETRIC
                 isolines_t isolines;
 #endif

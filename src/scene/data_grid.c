@@ -25,6 +25,10 @@ static const char *const TEXT[] = {
     [DATA_TONE] = SAID("a tone is one number from 0 to 100"),
 #endif
     [DATA_VERTEX] = SAID("there is no vertex of this number before this line"),
+#if CONFIG_BINARY
+    [DATA_BINARY_COUNT] = SAID("no binary matrix: its first number, a float, must be how many columns follow"),
+    [DATA_BINARY_SHORT] = SAID("the file ends before its data are complete"),
+#endif
 };
 
 const char *data_grid_text(enum data_grid_trouble trouble) {

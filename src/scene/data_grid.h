@@ -31,13 +31,15 @@ enum data_grid_trouble { /* why a point was refused */
                          DATA_RAGGED,    /* a block with another number of points than the first */
                          DATA_TOO_SMALL, /* fewer than 2 x 2 points */
                          /* found by data_reader */
-                         DATA_SETS,        /* more data sets than can be drawn at once */
-                         DATA_TWO_COLUMNS, /* neither z nor x y z */
-                         DATA_SHORT,       /* a row without a column that is wanted */
-                         DATA_TEXT,        /* a field is not a number */
-                         DATA_DETAIL,      /* obj_reader: a detail without a face */
-                         DATA_TONE,        /* obj_reader: no percentage behind `tone`, or more */
-                         DATA_VERTEX,      /* obj_reader: a vertex that does not exist */
+                         DATA_SETS,         /* more data sets than can be drawn at once */
+                         DATA_TWO_COLUMNS,  /* neither z nor x y z */
+                         DATA_SHORT,        /* a row without a column that is wanted */
+                         DATA_TEXT,         /* a field is not a number */
+                         DATA_DETAIL,       /* obj_reader: a detail without a face */
+                         DATA_TONE,         /* obj_reader: no percentage behind `tone`, or more */
+                         DATA_VERTEX,       /* obj_reader: a vertex that does not exist */
+                         DATA_BINARY_COUNT, /* data_binary: the first number of a matrix is no number of columns */
+                         DATA_BINARY_SHORT, /* data_binary: the file ends too soon */
 };
 
 typedef struct data_grid {

@@ -148,6 +148,14 @@ static num_t part_value(data_reader_t *r, int32_t k) {
     return r->column[c];
 }
 
+/* x (0) or y (1) of a point that has none of its own. */
+static num_t implied(const data_reader_t *r, int axis) {
+#if CONFIG_BINARY
+    if (r->implied) return r->implied[axis];
+#endif
+    return num_from_i64(axis ? r->kept_block : r->kept_point);
+}
+
 /* One point of the wanted set: its columns are in place. */
 static int point(data_reader_t *r) {
     const data_spec_t *s = r->spec;
@@ -160,7 +168,7 @@ static int point(data_reader_t *r) {
     r->column[0] = num_from_i64(r->set_points++);
     num_t x, y, z;
     if (r->spec->flat) {
-        x = r->parts == 1 ? num_from_i64(r->kept_point) : part_value(r, 0);
+        x = r->parts == 1 ? implied(r, 0) : part_value(r, 0);
         y = part_value(r, r->parts - 1);
         r->kept_point++;
         num_t p[3] = {x, y, y};
@@ -168,9 +176,12 @@ static int point(data_reader_t *r) {
         return data_curve_point(r->curve, p[0], p[1]) ? refuse(r, DATA_FULL, 0) : 0;
     }
     if (r->parts == 1) {
-        x = num_from_i64(r->kept_point);
-        y = num_from_i64(r->kept_block);
+        x = implied(r, 0);
+        y = implied(r, 1);
         z = part_value(r, 0);
+#if CONFIG_BINARY
+        if (r->implied) z = num_add(z, r->implied[2]);
+#endif
     } else {
         x = part_value(r, 0);
         y = part_value(r, 1);

@@ -81,6 +81,10 @@ typedef struct data_reader {
 #if CONFIG_SCATTERED
     scattered_t scattered;
 #endif
+#if CONFIG_BINARY
+    const num_t
+        *implied; /* [3], of the caller: x and y where using does not say them, and what is added to z; or NULL */
+#endif
     int32_t grids, grids_max;
     num_t column[CONFIG_DATA_COLUMNS + 1];      /* of the row being read: [1] is the first; [0] the point's number */
     int32_t column_at[CONFIG_DATA_COLUMNS + 1]; /* where it stands in the line */

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "error.h"
+#include "scene/data_binary.h"
 #include "scene/data_reader.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -48,8 +49,50 @@ static int feed_both(const data_spec_t *spec, bool inline_data, size_t room, con
     return err;
 }
 
+/* Binary data, whole and byte by byte. */
+static int binary(const uint8_t *data, size_t size) {
+    static packed_t words[POOL];
+    static data_binary_t b;
+    static const uint8_t bytes[] = {1, 2, 4, 8};
+    data_spec_t spec;
+    binary_spec_t layout;
+    data_spec_default(&spec);
+    binary_spec_default(&layout);
+    layout.layout = (enum binary_layout)(data[0] % 3);
+    if (layout.layout == BINARY_ARRAY) spec.parts = spec.part[0] = 1, spec.wanted = 2;
+    layout.n[0] = data[0] & 64 ? -1 : data[1] % 8 + 1;
+    layout.n[1] = data[0] & 64 || data[0] & 128 ? -1 : data[1] / 8 % 8;
+    layout.big_endian = data[0] & 4;
+    layout.skip = data[2] & 3;
+    layout.fields = layout.layout == BINARY_ARRAY ? 1 + (data[2] >> 6) : 3;
+    for (int k = 0; k < layout.fields; k++) {
+        binary_field_t *f = &layout.field[k];
+        f->kind = (uint8_t)(data[2] % 3);
+        f->bytes = bytes[data[2] / 4 % 4];
+        if (f->kind == BINARY_FLOAT && f->bytes < 4) f->bytes = 4;
+    }
+    int err[2];
+    for (int way = 0; way < 2; way++) {
+        const size_t chunk = way ? 1 : size;
+        pool = (data_pool_t){memory, 0, data[0] & 8 ? POOL : 16};
+        memset(memory, 0, sizeof memory);
+        data_reader_start(&reader, &spec, &pool, grid, &curve, GRIDS, false, 0);
+        data_binary_start(&b, &layout, &reader);
+        err[way] = 0;
+        for (size_t at = 3; !err[way] && at < size; at += chunk)
+            err[way] = data_binary_feed(&b, (const char *)data + at, size - at < chunk ? size - at : chunk);
+        if (!err[way]) err[way] = data_binary_finish(&b);
+        if (!err[way]) err[way] = data_reader_finish(&reader);
+        if (err[way] < 0 && err[way] != ERR_EMPTY && reader.trouble == DATA_OK) abort();
+        if (way == 0) memcpy(words, memory, sizeof words);
+    }
+    if (err[0] != err[1] || memcmp(words, memory, sizeof words) != 0) abort();
+    return 0;
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (size < 4) return 0;
+    if (size > 8 && data[3] == 255 && data[2] == 255) return binary(data + 4, size - 4);
     const size_t room = data[0] & 1 ? POOL : 16;
     data_spec_t spec;
     data_spec_default(&spec);

@@ -79,8 +79,13 @@ static int port_pause(void *ctx, const char *prompt, int32_t ms) {
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    static const session_port_t PORT = {NULL,       port_text, port_text,  port_open, port_read,
-                                        port_close, NULL,      port_pause, port_plot};
+    static const session_port_t PORT = {.print = port_text,
+                                        .warn = port_text,
+                                        .open = port_open,
+                                        .read = port_read,
+                                        .close = port_close,
+                                        .pause = port_pause,
+                                        .plot = port_plot};
     static session_t session;
     static uint64_t pool[POOL / 8];
     static char line[8192];

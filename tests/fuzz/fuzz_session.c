@@ -94,7 +94,14 @@ static int draw(void *ctx, const plot_t *plot) {
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    static const session_port_t port = {NULL, say, say, open_file, read_file, close_file, NULL, wait, draw};
+    static const session_port_t port = {.print = say,
+                                        .warn = say,
+                                        .open = open_file,
+                                        .open_binary = open_file,
+                                        .read = read_file,
+                                        .close = close_file,
+                                        .pause = wait,
+                                        .plot = draw};
     parts = opened = 0;
     for (size_t at = 0; parts < PARTS; parts++) {
         const uint8_t *end = memchr(data + at, 0xff, size - at);

@@ -24,7 +24,7 @@ typedef struct fixture {
     char out[8192], err[8192];
     struct {
         const char *name, *text;
-        size_t at;
+        size_t at, size; /* size 0: up to a zero */
     } file[FIXTURE_FILES];
     int pauses, plots;
     int32_t pause_ms;
@@ -72,7 +72,9 @@ static inline int fixture_open(void *ctx, const char *name) {
 static inline int fixture_read(void *ctx, int handle, char *buf, int size) {
     fixture_t *f = ctx;
     const char *text = f->file[handle].text + f->file[handle].at;
-    int n = (int)strlen(text), most = 1 + (int)(f->file[handle].at * 7 % 13);
+    const size_t size_known = f->file[handle].size;
+    int n = (int)(size_known ? size_known - f->file[handle].at : strlen(text)),
+        most = 1 + (int)(f->file[handle].at * 7 % 13);
     if (n > most) n = most;
     if (n > size) n = size;
     memcpy(buf, text, (size_t)n);
@@ -143,6 +145,9 @@ static inline fixture_t *fixture_new(void) {
                                .close = fixture_close,
                                .pause = fixture_pause,
                                .plot = fixture_plot};
+#if CONFIG_BINARY
+    f->port.open_binary = fixture_open;
+#endif
     session_init(&f->session, &f->port, f->pool, sizeof f->pool);
     return f;
 }
@@ -160,6 +165,7 @@ static inline int fixture_teardown(void **state) {
 static inline void fixture_file(fixture_t *f, int slot, const char *name, const char *text) {
     f->file[slot].name = name;
     f->file[slot].text = text;
+    f->file[slot].size = 0;
 }
 
 /* Feeds text line by line; stops at the first error and returns it. */

@@ -7,50 +7,7 @@
 
 #include <cmocka.h>
 
-#include "session_fixture.h"
-
-typedef struct point {
-    double x, y, z;
-} point_t;
-
-static int compare(const void *a, const void *b) {
-    const double *p = a, *q = b;
-    for (int k = 0; k < 2; k++)
-        if (fabs(p[k] - q[k]) > 1e-9) return p[k] < q[k] ? -1 : 1;
-    return 0;
-}
-
-/* The points of `splot COMMAND` according to gnuplot itself, sorted; -1 if it is not installed. */
-static int gnuplot_points(const char *command, const char *data, point_t *out, int max) {
-    if (system("command -v gnuplot >/dev/null 2>&1") != 0) return -1;
-    char path[] = "/tmp/ridgeline-data-XXXXXX", line[512];
-    int fd = mkstemp(path);
-    assert_true(fd >= 0);
-    assert_int_equal(write(fd, data, strlen(data)), (int)strlen(data));
-    close(fd);
-    snprintf(line, sizeof line,
-             "gnuplot -e \"set table '/dev/stdout'; file='%s'; set style data lines; splot file %s\" 2>/dev/null", path,
-             command);
-    FILE *p = popen(line, "r");
-    int n = 0;
-    while (n < max && fgets(line, sizeof line, p)) {
-        char type;
-        if (sscanf(line, "%lf %lf %lf %c", &out[n].x, &out[n].y, &out[n].z, &type) != 4) continue;
-        if (type != 'u') n++;
-    }
-    pclose(p);
-    unlink(path);
-    qsort(out, (size_t)n, sizeof *out, compare);
-    return n;
-}
-
-static int our_points(const fixture_t *f, point_t *out) {
-    int n = 0;
-    for (int k = 0; k < f->points; k++)
-        if (!isnan(f->z[k])) out[n++] = (point_t){f->x[k], f->y[k], f->z[k]};
-    qsort(out, (size_t)n, sizeof *out, compare);
-    return n;
-}
+#include "data_points.h"
 
 static const char THREE[] = "# comment\n0 0 1 # more\n0 1 2\n0 2.5 3\n\n# between\n1 0 4\n1 1 5\n1 2.5 6\n";
 static const char TWO_SETS[] =
@@ -98,7 +55,7 @@ static void points_are_gnuplots(void **state) {
     static point_t theirs[4096], ours[4096];
     int checked = 0;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        int n = gnuplot_points(cases[i].command, cases[i].data, theirs, 4096);
+        int n = gnuplot_points(cases[i].command, cases[i].data, strlen(cases[i].data), theirs, 4096);
         if (n < 0) skip();
         char line[256] = "splot 'f' ";
         for (const char *p = cases[i].command; *p; p++)
@@ -106,12 +63,8 @@ static void points_are_gnuplots(void **state) {
         fixture_file(f, 0, "f", cases[i].data);
         assert_int_equal(fixture_feed(f, line), 0);
         int m = our_points(f, ours);
-        if (m != n) fail_msg("%s: %d points, gnuplot %d", line, m, n);
-        for (int k = 0; k < n; k++, checked++)
-            if (fabs(ours[k].x - theirs[k].x) > 1e-4 || fabs(ours[k].y - theirs[k].y) > 1e-4 ||
-                fabs(ours[k].z - theirs[k].z) > 1e-4 * fabs(theirs[k].z))
-                fail_msg("%s: point %d (%g %g %g), gnuplot (%g %g %g)", line, k, ours[k].x, ours[k].y, ours[k].z,
-                         theirs[k].x, theirs[k].y, theirs[k].z);
+        assert_points(line, ours, m, theirs, n);
+        checked += n;
     }
     printf("# %d points of %d data commands equal gnuplot's\n", checked, (int)(sizeof cases / sizeof cases[0]));
 }
