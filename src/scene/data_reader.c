@@ -302,9 +302,12 @@ static int feed(data_reader_t *r, const char *p, data_text_t text) {
             r->skip--;
             r->field.lines++;
         }
+#if CONFIG_64BIT
+    const bool plain = !decimal_has(r->field.separator); /* else one could be taken for a part of a number */
+#endif
     while (!r->stopped) {
 #if CONFIG_64BIT
-        int failed = data_plain(r, &p, text);
+        int failed = plain ? data_plain(r, &p, text) : 0;
         if (failed) return failed;
 #endif
         enum field_event event = field_next(&r->field, &p, text.end);

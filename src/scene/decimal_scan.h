@@ -13,6 +13,11 @@
 #define DECIMAL_SCAN_MARGIN 48 /* characters that are at hand from the first of a number: its own, 8, and one more */
 #define DECIMAL_DIGITS 19      /* more of them can overflow the mantissa */
 
+/* May c be in the middle of a plain decimal? */
+static inline bool decimal_has(char c) {
+    return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+' || (c | 32) == 'e' || (c | 32) == 'd';
+}
+
 /* The next 8 characters less '0', the first in the lowest byte. */
 static inline uint64_t decimal_eight(const char *p) {
     uint64_t w;

@@ -261,7 +261,8 @@ static enum field_event end_of_line(field_t *f, bool *again) {
 enum field_event field_next(field_t *f, const char **p, const char *end) {
     if (f->state == AT_START && f->at < 0) new_line(f); /* the line whose end was reported last time */
     while (*p < end) {
-        if ((f->state == WHOLE || f->state == FRACTION) && !f->trailing) *p = digits(f, *p, end);
+        if ((f->state == WHOLE || f->state == FRACTION) && !f->trailing && !is_digit(f->separator))
+            *p = digits(f, *p, end);
         if (*p == end) break;
         char c = **p;
         if (c == '\n') {

@@ -97,7 +97,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     data_spec_t spec;
     data_spec_default(&spec);
     spec.format = (enum data_format)(data[0] / 2 % 3);
-    spec.separator = data[0] & 8 ? ';' : '\0';
+    spec.separator = data[0] & 8 ? ";.e5"[data[2] >> 6] : '\0';
     if (data[0] & 16) {
         spec.parts = data[1] & 1 ? 1 : data[0] & 128 ? 2 : 3;
         for (int k = 0; k < 3; k++) {

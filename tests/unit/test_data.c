@@ -165,6 +165,15 @@ static void holes_and_headings(void **state) {
     fixture_file(f, 0, "f", "0;0; 1 \n0;1;2\n\n1;0;3\n1;1;\n");
     assert_int_equal(fixture_feed(f, "set datafile separator ';'; splot 'f'"), 0);
     assert_true(f->z[0] == 1 && isnan(f->z[3]));
+    /* What a number is made of separates all the same. */
+    for (const char *c = ".e-5+d"; *c; c++) {
+        char text[64], line[64];
+        snprintf(text, sizeof text, "10%c0%c1\n10%c1%c2\n\n11%c0%c3\n11%c1%c4\n", *c, *c, *c, *c, *c, *c, *c, *c);
+        snprintf(line, sizeof line, "set datafile separator '%c'; splot 'f'", *c);
+        fixture_file(f, 0, "f", text);
+        assert_int_equal(fixture_feed(f, line), 0);
+        assert_true(f->z[0] == 1 && f->z[1] == 3 && f->z[2] == 2 && f->z[3] == 4);
+    }
     /* Files are rounded: a millionth of a step is not another place. */
     fixture_file(f, 0, "f",
                  "0 0.333333 1\n0 0.666667 2\n0 1 2d0\n\n1 0.333334 3\n1.000000001 0.666666 4\n1 1.000001 1\n");
