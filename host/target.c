@@ -62,7 +62,8 @@ static int open_in_place(const char *path) {
 
 int target_open(target_t *t, const char *path) {
     if (target_open_unnamed(t, path)) return 0;
-    const bool is_there = access(path, F_OK) == 0;
+    struct stat old; /* a link counts, though what it leads to may be new */
+    const bool is_there = lstat(path, &old) == 0;
     *t = (target_t){.path = path, .fd = open_in_place(path), .is_new = !is_there};
     return t->fd < 0 ? ERR_FILE : 0;
 }
@@ -76,7 +77,7 @@ void target_ahead(target_t *t, off_t end) {
     if (!t->asks_ahead || end <= t->ahead) return;
     const off_t more = (end - t->ahead + AHEAD - 1) / AHEAD * AHEAD;
     t->asks_ahead = (t->ahead > 0 || !is_tmpfs(t->fd)) && fallocate(t->fd, 0, t->ahead, more) == 0;
-    if (t->asks_ahead) t->ahead += more; /* where it fails, writing may yet do */
+    t->ahead += more; /* where it fails, the file may have become longer all the same, and writing may yet do */
 }
 
 bool target_restart(target_t *t) {
@@ -93,7 +94,10 @@ static bool give_name(int fd, const char *name) {
 /* Two files change their names, and the old one goes. ext4 takes that for less than a rename, which makes it write the
  * new file to the disk at once; where a file system cannot do it, a rename has to do. */
 static bool change_places(const char *name, const char *path) {
-    if (renameat2(AT_FDCWD, name, AT_FDCWD, path, RENAME_EXCHANGE) == 0) return unlink(name) == 0;
+    if (renameat2(AT_FDCWD, name, AT_FDCWD, path, RENAME_EXCHANGE) == 0) {
+        unlink(name); /* if it stays, the new file is in its place all the same */
+        return true;
+    }
     if (rename(name, path) == 0) return true;
     unlink(name);
     return false;

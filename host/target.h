@@ -17,7 +17,7 @@ typedef struct target {
     bool is_unnamed;  /* or it is written in place */
     bool is_new;      /* nothing was there */
     bool asks_ahead;  /* for disk space, */
-    off_t ahead;      /* and has got so many bytes */
+    off_t ahead;      /* and has asked for so many bytes */
 } target_t;
 
 /* Only an unnamed file; false when there can be none: nothing has been touched then. */

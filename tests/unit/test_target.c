@@ -135,6 +135,10 @@ static void links_lead_to_the_same_file(void **state) {
     out_text(&out, "half");
     out_drop(&out);
     expect_file("a", ""); /* not the half of anything */
+    assert_int_equal(unlink("missing"), 0);
+    assert_int_equal(out_open(&out, "dangling"), 0);
+    out_drop(&out);
+    expect_files(5); /* the link stays */
 }
 
 static void devices_and_folders(void **state) {
