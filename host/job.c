@@ -71,8 +71,8 @@ static bool lend(job_t *job, size_t bytes) {
     if (bytes <= job->lent_bytes) return true;
     free(job->lent);
     if (posix_memalign(&job->lent, HUGE_PAGE, bytes)) job->lent = NULL;
-        /* Touching it page by page would take a tenth of a large drawing's time. */
 #ifdef MADV_HUGEPAGE
+    /* Touching it page by page would take a tenth of a large drawing's time. */
     if (job->lent && bytes > 4 * HUGE_PAGE) madvise(job->lent, bytes, MADV_HUGEPAGE);
 #endif
     job->lent_bytes = job->lent ? bytes : 0;

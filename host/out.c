@@ -38,8 +38,8 @@ static void put(out_t *o, size_t size) {
             p += n;
             left -= (size_t)n;
             o->written += n;
-        } else if (errno != EINTR) {
-            o->trouble = errno;
+        } else if (n == 0 || errno != EINTR) {
+            o->trouble = n < 0 ? errno : EIO;
         }
     }
     o->used -= size;
