@@ -28,7 +28,11 @@ void solid_scene_flush(solid_scene_t *s, uint64_t seed, int objects);
  * stacks, bodies on both sides of a mirror, pyramids tip to tip; mostly turned, so that contacts are rounded. Seen from
  * anywhere, from planes of faces, from lines of edges, from close to a vertex. */
 void solid_scene_touching(solid_scene_t *s, uint64_t seed, int objects);
-/* The same, from a hundredth to a tenth of a unit cube from a vertex. */
+/* Up to `objects` bodies as people put them together: rooms in rooms, cubes that share faces, stars and cogwheels,
+ * stairs with boxes on them, cones of slivers, bodies that are there twice or a hair apart, regular ones, rows of
+ * smaller and smaller boxes, piles of boards; turned and seen as the former. */
+void solid_scene_composed(solid_scene_t *s, uint64_t seed, int objects);
+/* As solid_scene_touching, from a hundredth to a tenth of a unit cube from a vertex. */
 void solid_scene_close(solid_scene_t *s, uint64_t seed, int objects);
 /* How far p is from the nearest face, or less: on a face, what the eye sees is a matter of taste. */
 double solid_scene_clearance(const solid_ref_t *r, const exact_point_t *p);
