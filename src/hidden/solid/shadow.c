@@ -132,12 +132,16 @@ static bool is_outside(const shadows_t *s, const shadow_t *shadow, const shadow_
     /* a difference of two rounded places is off by a lat and a hair; none is larger than both boxes, which meet */
     l.margin += 3 * ((int64_t)(solid_abs(l.dx) + solid_abs(l.dy)) + (int64_t)shadow->x1 - shadow->x0 +
                      (int64_t)shadow->y1 - shadow->y0);
-    int32_t known = -1, sides = 0;
+    int32_t known = -1, sides = 0, corners = shadow->outlines;
     corner_t p, q = {0, 0, 0, 0};
     open->n = 0;
     for (int32_t k = 0; k < shadow->outlines; k++, e++) {
         p = q;
-        if (e->p != known) p = corner_of(&l, &place[e->p]);
+        if (e->p != known) {
+            p = corner_of(&l, &place[e->p]);
+            sides += p.side;
+            corners++;
+        }
         known = e->q;
         q = corner_of(&l, &place[known]);
         sides += q.side;
@@ -150,7 +154,7 @@ static bool is_outside(const shadows_t *s, const shadow_t *shadow, const shadow_
         else
             open->n = UINT8_MAX;
     }
-    return sides == shadow->outlines || sides == -shadow->outlines;
+    return sides == corners || sides == -corners;
 }
 
 /* In the plane itself is inside: behind the outline, or behind the seam of two faces. */

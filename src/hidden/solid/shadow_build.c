@@ -7,6 +7,9 @@
 #include "num/ints.h"
 #include "view/solid_side.h"
 
+#define END_ON 4096 /* lat */
+#define OFF_BITS 6
+
 /* Is a side of the face seen, if it is flat? */
 static bool is_seen(const shadows_t *s, int32_t f) {
     const int32_t is = s->face[f];
@@ -257,6 +260,42 @@ static void chain(shadow_edge_t *e, int32_t n) {
         }
 }
 
+static wide_t wide_size(wide_t a) {
+    return wide_sign(a) < 0 ? wide_neg(a) : a;
+}
+
+/* Is vertex v on the outer side of the plane through the eye and an edge of an outline, by more than rounding is worth?
+ */
+static bool is_beyond(const shadows_t *s, const shadow_edge_t *e, int32_t v) {
+    const solid_vertex_t *vertex = s->map->solid->vertex, *p = &vertex[e->p];
+    const solid_delta_t u = solid_sub(&vertex[e->q], p);
+    int64_t eye[3];
+    wide_t size = {0, 0};
+    solid_to_eye(s->map, p, eye);
+    for (int k = 0; k < 3; k++) { /* of the plane's normal */
+        const int i = k < 2 ? k + 1 : 0, j = 3 - k - i;
+        size = wide_add(size, wide_size(wide_sub(wide_mul_s64(u.d[i], eye[j]), wide_mul_s64(u.d[j], eye[i]))));
+    }
+    return wide_cmp(wide_dot3_s64(solid_cross(solid_sub(&vertex[v], p), u).n, eye), wide_shl(size, OFF_BITS)) > 0;
+}
+
+static bool is_bound(const shadows_t *s, const shadow_t *of, const shadow_edge_t *edge) {
+    const solid_place_t *p = &s->map->place[edge->p], *q = &s->map->place[edge->q];
+    const shadow_edge_t *e = &s->outline[of->outline];
+    if (of->exact || (solid_abs((int64_t)p->x - q->x) | solid_abs((int64_t)p->y - q->y)) >= END_ON) return true;
+    for (int32_t k = 0; k < of->outlines; k++)
+        if (e[k].p != edge->p && e[k].p != edge->q && is_beyond(s, edge, e[k].p)) return false;
+    return true;
+}
+
+/* Takes edges that are seen end-on, or nearly, out of an outline if others begin beyond them: where the eye is on an
+ * edge's line, rounding turns the plane through both as it likes. Their neighbours meet in one point of the page. */
+static void prune(const shadows_t *s, shadow_t *of) {
+    shadow_edge_t *e = &s->outline[of->outline];
+    for (int32_t k = of->outlines - 1; k >= 0; k--)
+        if (!is_bound(s, of, &e[k])) e[k] = e[--of->outlines];
+}
+
 static void *take(uint8_t **at, const uint8_t *end, int64_t n, size_t size) {
     size_t bytes = ((size_t)n * size + 7) & ~(size_t)7;
     if (!*at || bytes > (size_t)(end - *at)) {
@@ -289,6 +328,7 @@ int shadows_build(shadows_t *s, const solid_map_t *map, void *mem, size_t bytes)
     fill_outlines(s);
     for (int32_t k = 0; k < whole; k++) {
         finish_box(&s->list[k]);
+        prune(s, &s->list[k]);
         if (CONFIG_MANY_BODIES) chain(&s->outline[s->list[k].outline], s->list[k].outlines);
     }
     s->whole = whole;
