@@ -79,9 +79,10 @@ static void slivers(solid_ref_t *r, int n) {
     }
 }
 
-/* A body twice, and again by a hair beside itself. */
+/* A body twice, and again by a hair beside itself: nearer than convex.h says bodies are told apart both may be drawn.
+ */
 static void doubles(solid_ref_t *r, int n) {
-    const double by = pick(2) ? 0 : pow(10, uniform(-6, -1));
+    const double by = pick(2) ? 0 : pow(10, uniform(-4, -1));
     const double size[3] = {uniform(.5, 2), uniform(.5, 2), uniform(.5, 2)};
     for (int k = 0; k < n; k++) {
         const double x = k * by * pick(2), y = k * by * pick(2), z = k * by * pick(2);

@@ -113,6 +113,20 @@ static void look_at_steep(const area_t *a, const poly_t *p, const area_face_t *s
     }
 }
 
+/* Where only steepness makes two faces touch, an edge of the steep one may well be behind the other face or in front of
+ * it: as a line it is known where it is. */
+static void look_at_touching(area_t *a, const poly_t *p, const area_face_t *s, const area_face_t *c,
+                             const area_plane_t *apart) {
+    for (int32_t k = 0; k < poly_vertices(p); k++) {
+        int64_t slack[2];
+        slacks_of(a, s, c, p->v[k].at, slack);
+        const int steep = slack[1] > slack[0];
+        const int64_t d = (int64_t)ints_abs64(area_plane_at(apart, p->v[k].at)), least = 2 * slack[!steep];
+        if (slack[steep] / STEEPER >= slack[!steep] && d > least && d - slack[!steep] <= slack[steep])
+            area_roughen(a, steep ? c : s);
+    }
+}
+
 /* Where they differ most decides, of the corners where they differ by more than what either may be off there. */
 int area_compare(area_t *a, const poly_t *p, int32_t of, int32_t than) {
     const area_face_t *s = &a->faces.face[of], *c = &a->faces.face[than];
@@ -139,6 +153,7 @@ int area_compare(area_t *a, const poly_t *p, int32_t of, int32_t than) {
     }
     if (maybe_front && maybe_behind) look_at_cut(a, p, s, c, &apart, slack);
     if (clearly_front && clearly_behind) return AREA_THROUGH;
+    if (touching > 0) look_at_touching(a, p, s, c, &apart);
     if (front == behind) look_at_steep(a, p, s, c, &apart, through, &front, &behind);
     if (front < behind && touching >= 2 && has_edge_in(a, p, s, c, &apart)) area_roughen(a, s);
     return front == behind ? AREA_TOGETHER : front > behind ? AREA_IN_FRONT : AREA_BEHIND;
