@@ -31,7 +31,18 @@ static void composed_area(void **state) {
     assert_int_equal(run("composed, area sort", FIRST + 1000000000, solid_cases_area), 0);
 }
 
+/* An edge seen end-on in an outline; a line along a seam of triangles that were cut in the plane. */
+static void once_wrong_convex(void **state) {
+    (void)state;
+    static const uint64_t seeds[] = {23000000300, 23000004696};
+    cases_t c = {.name = "composed, once wrong", .program = "test_composed_random"};
+    const int failed =
+        solid_cases_once_wrong(&c, seeds, sizeof seeds / sizeof *seeds, 4, solid_scene_composed, by_convex, NULL);
+    assert_int_equal(failed, 0);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(composed_convex), cmocka_unit_test(composed_area)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(composed_convex), cmocka_unit_test(composed_area),
+                                       cmocka_unit_test(once_wrong_convex)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -95,7 +95,7 @@ static void cut_faces(seams_t *t) {
         if (solid_face_is_convex(s, t->face, &n)) {
             add_piece(t, (int32_t[]){-1, 0, 0});
         } else if (n.n[0] != 0 || n.n[1] != 0 || n.n[2] != 0) {
-            t->full |= triangulate(s, t->face, &n, t->low, (size_t)(t->high - t->low), add_piece, t) != 0;
+            t->full |= triangulate(s, t->face, &n, false, t->low, (size_t)(t->high - t->low), add_piece, t) != 0;
         }
     }
     t->begin = take(t, t->pieces, sizeof *t->begin);

@@ -152,7 +152,7 @@ static int add_bent(filling_t *fill, int32_t f, const solid_normal_t *n, void *s
         fill->flat = n;
         fill->face = f;
     }
-    return triangulate(solid, f, n, spare, bytes, add_triangle, fill);
+    return triangulate(solid, f, n, true, spare, bytes, add_triangle, fill);
 }
 
 /* Makes a shadow of each convex object, counts its planes and outlines, and all polygons'. */

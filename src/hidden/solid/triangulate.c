@@ -12,6 +12,7 @@ typedef struct rest {
     triangle_turn_t *turn;
     void *ctx;
     flat_t *flat; /* NULL: as it is seen */
+    bool slivers;
 } rest_t;
 
 static int turn_at(const rest_t *r, int32_t a, int32_t b, int32_t c) {
@@ -64,6 +65,14 @@ static bool is_spike(const rest_t *r, const int32_t v[3]) {
     return v[0] == v[2] || (r->flat && turn_at(r, v[0], v[1], v[2]) == 0 && flat_dot(r->flat, v[0], v[1], v[2]) > 0);
 }
 
+/* Has the corner v, which is straight or turns back, a width in space? */
+static bool is_sliver(const rest_t *r, const int32_t v[3]) {
+    if (!r->slivers) return false;
+    const solid_vertex_t *at = r->flat->s->vertex, *p = &at[v[0]];
+    const solid_normal_t n = solid_cross(solid_sub(&at[v[1]], p), solid_sub(&at[v[2]], p));
+    return (n.n[0] | n.n[1] | n.n[2]) != 0;
+}
+
 /* The next corner from k on that may be cut off: a spike, or else an ear, or else what is straight; -1: none. */
 static int32_t find_corner(const rest_t *r, int32_t k) {
     enum { SPIKE, EAR, STRAIGHT };
@@ -90,26 +99,26 @@ static bool cut_ears(rest_t *r, bool anyhow, void (*take)(void *ctx, const int32
         if (k < 0 && !anyhow) return false;
         if (k < 0) k = from;
         corner(r, k, v);
-        if (take && turn_at(r, v[0], v[1], v[2]) != 0) take(ctx, v);
+        if (take && (turn_at(r, v[0], v[1], v[2]) != 0 || is_sliver(r, v))) take(ctx, v);
         for (int32_t i = k; i + 1 < r->n; i++) r->c[i] = r->c[i + 1];
         r->n--;
     }
     return true;
 }
 
-int triangulate(const solid_t *s, int32_t face, const solid_normal_t *normal, void *mem, size_t bytes,
+int triangulate(const solid_t *s, int32_t face, const solid_normal_t *normal, bool slivers, void *mem, size_t bytes,
                 void (*take)(void *ctx, const int32_t v[3]), void *ctx) {
     if (bytes / sizeof(int32_t) < (size_t)s->face[face].n) return ERR_FULL;
     flat_t f = flat_of(s, normal);
     int32_t *c = mem;
     const int32_t n = s->face[face].n;
     int32_t done = bridges_lay(&f, face, c);
-    rest_t rest = {c, done, flat_turn, &f, &f};
+    rest_t rest = {c, done, flat_turn, &f, &f, slivers};
     cut_ears(&rest, true, take, ctx);
     while (done < n) {
         const int32_t from = done + 1;
         done = bridges_island(c, done, n);
-        rest = (rest_t){c + from, done - from - 1, flat_turn, &f, &f};
+        rest = (rest_t){c + from, done - from - 1, flat_turn, &f, &f, slivers};
         cut_ears(&rest, true, take, ctx);
     }
     return 0;
@@ -120,7 +129,7 @@ int triangulate_seen(const solid_t *s, int32_t face, const solid_normal_t *norma
     if (bytes / sizeof(int32_t) < (size_t)s->face[face].n) return ERR_FULL;
     flat_t f = flat_of(s, normal);
     for (int give = 0; give < 2; give++) {
-        rest_t rest = {mem, bridges_lay(&f, face, mem), turn, ctx, NULL};
+        rest_t rest = {mem, bridges_lay(&f, face, mem), turn, ctx, NULL, false};
         if (rest.n < s->face[face].n || !cut_ears(&rest, false, give ? take : NULL, ctx)) return 1;
     }
     return 0;
