@@ -17,24 +17,11 @@
 #define ASKED_CROWD 8   /* free ends to a bucket when few of them are asked for */
 #define FREE (-1)       /* in mate, until chain_close: not paired */
 #define ALONE (-2)      /* and nobody near */
-#define FETCH 12        /* ends that memory is asked for ahead */
-#define FETCH_CENSUS 24 /* and for the census */
-#define BUCKETS 4       /* for each end, if there is memory: most of them stay empty */
-#define FEW_RUNS 1024   /* with so many those ends are listed that may have a neighbour, if there is memory */
-#define AGAIN 2         /* the second census has so many tiles more */
+#define FETCH_CENSUS 24 /* ends ahead that the census asks memory for */
 #define STRAIGHT (1 << 29)
 #define UNIT_BITS 13 /* of direction vectors */
 _Static_assert((POOL_RUNS_MIN + 1) * 4 * sizeof(int32_t) >= CENSUS_BYTES_MIN, "the census lies over links and buckets");
 _Static_assert(POOL_WORK_PER_RUN >= 2 * sizeof(page_point_t) + 4 * sizeof(int32_t), "points, next, head");
-
-static inline int32_t *few_of(const chain_t *c) {
-#if CONFIG_FETCH
-    return c->few;
-#else
-    (void)c;
-    return 0;
-#endif
-}
 
 static uint32_t bucket(const chain_t *c, int32_t cx, int32_t cy) {
     /* neighbours in x stay neighbours in memory: runs arrive in an order that has locality, and caches like it */
@@ -122,11 +109,6 @@ static void lay_out(chain_t *c) {
     c->point = (page_point_t *)(void *)pool->work;
     c->next = (int32_t *)(void *)(c->point + 2 * c->room);
     c->head = c->next + 2 * c->room;
-#if CONFIG_FETCH
-    const int64_t used = 8 * (int64_t)c->room + 2 * (int64_t)pool->n;
-    if (pool->n >= FEW_RUNS && used <= ((int64_t)pool->cap + 1) * (POOL_WORK_PER_RUN / 4))
-        c->few = c->head + 2 * c->room;
-#endif
 }
 
 /* The run r has been placed. */
@@ -158,50 +140,31 @@ int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near
     return lost;
 }
 
-/* The end in place k, of all or of those listed. */
-static inline int32_t end_of(const int32_t *list, int32_t k) {
-    return CONFIG_FETCH && list ? list[k] : k;
+static inline void fetch_census(const chain_t *c, const census_t *census, int32_t e, int32_t ends) {
+    if (CONFIG_FETCH && e + FETCH_CENSUS < ends) census_fetch(census, c->point[e + FETCH_CENSUS]);
 }
 
-static inline void fetch_census(const chain_t *c, const census_t *census, const int32_t *list, int32_t k, int32_t n) {
-    if (CONFIG_FETCH && k + FETCH_CENSUS < n) census_fetch(census, c->point[end_of(list, k + FETCH_CENSUS)]);
-}
-
-/* Marks those of n ends ALONE that have certainly nobody near, the others FREE, and lists these, if there is memory for
- * a list. The census is taken in the memory of the links and buckets, which come after it, and counts on `tiled` ends.
- * Returns how many are FREE. */
-static __attribute__((noinline)) int32_t mark_alone(chain_t *c, const int32_t *list, int32_t n, int32_t tiled) {
-    int32_t *const few = few_of(c);
+/* Enters the ends that may have a neighbour, and marks them FREE; those that have certainly nobody near ALONE. The
+ * census is taken in the memory of the links and buckets, which come after it. */
+static void enter_all(chain_t *c) {
+    const int32_t ends = 2 * c->pool->n;
     int32_t left = 0;
     census_t census;
-    census_init(&census, (uint32_t *)c->next, sizeof *c->next * 4 * (size_t)c->room, tiled, c->shift - CENSUS_FINER);
-    for (int32_t k = 0; k < n; k++) {
-        fetch_census(c, &census, list, k, n);
-        census_enter(&census, c->point[end_of(list, k)]);
+    census_init(&census, (uint32_t *)c->next, sizeof *c->next * 4 * (size_t)c->room, ends, c->shift - CENSUS_FINER);
+    for (int32_t e = 0; e < ends; e++) {
+        fetch_census(c, &census, e, ends);
+        census_enter(&census, c->point[e]);
     }
-    for (int32_t k = 0; k < n; k++) {
-        const int32_t e = end_of(list, k);
-        fetch_census(c, &census, list, k, n);
+    for (int32_t e = 0; e < ends; e++) {
+        fetch_census(c, &census, e, ends);
         const bool alone = census_is_alone(&census, c->point[e], c->near_lat);
         c->pool->mate[e] = alone ? ALONE : FREE;
-        if (few) few[left] = e;
         left += !alone;
     }
-    return left;
-}
-
-/* Enters the ends that may have a neighbour. Returns in how many places they are (end_of). */
-static int32_t enter_all(chain_t *c) {
-    int32_t ends = 2 * c->pool->n, left = mark_alone(c, NULL, ends, ends);
-    /* Most of a rough surface's ends that are left have somebody near in the tiles only that share the bytes of theirs:
-     * where they are fewer, fewer tiles do. */
-    if (few_of(c)) ends = left = mark_alone(c, few_of(c), left, left * AGAIN);
-    make_buckets(c, few_of(c) ? left * BUCKETS : left, NOBODY);
-    for (int32_t k = 0; k < ends; k++) {
-        const int32_t e = end_of(few_of(c), k);
+    make_buckets(c, left, NOBODY);
+    for (int32_t e = 0; e < ends; e++) {
         if (c->pool->mate[e] == FREE) chain_enter(c, e, c->point[e]);
     }
-    return ends;
 }
 
 #if CONFIG_MANY_STROKES
@@ -326,28 +289,12 @@ void chain_pair_cluster(chain_t *c, int32_t *cluster, int n) {
     if (n > 2) pair_straight(c, cluster, n);
 }
 
-/* Asks the cache for what chain_free_ends will read: the bucket of an end that comes later, and the first that is in
- * the bucket of one that comes sooner. */
-static void fetch_ahead(const chain_t *c, int32_t k, int32_t ends) {
-    const int32_t *mate = c->pool->mate;
-    if (k + 2 * FETCH >= ends) return;
-    const int32_t later = end_of(few_of(c), k + 2 * FETCH), sooner = end_of(few_of(c), k + FETCH);
-    if (mate[later] == FREE) __builtin_prefetch(bucket_of(c, c->point[later]));
-    if (mate[sooner] != FREE) return;
-    int32_t first = *bucket_of(c, c->point[sooner]);
-    if (first < 0) return;
-    __builtin_prefetch(&c->point[first]);
-    __builtin_prefetch(&c->next[first]);
-    __builtin_prefetch(&mate[first]);
-}
-
 void chain_pair(chain_t *c) {
-    const int32_t ends = enter_all(c);
-    for (int32_t p = 0; p < ends; p++) {
-        const int32_t e = end_of(few_of(c), p);
+    const int32_t ends = 2 * c->pool->n;
+    enter_all(c);
+    for (int32_t e = 0; e < ends; e++) {
         int32_t cluster[CHAIN_CLUSTER];
-        if (p % 16 == 0) pool_tick(c->pool);
-        fetch_ahead(c, p, ends);
+        if (e % 16 == 0) pool_tick(c->pool);
         if (c->pool->mate[e] != FREE) continue;
         int n = chain_free_ends(c, c->point[e], cluster, CHAIN_CLUSTER), k = 0;
         while (k < n && cluster[k] != e) k++;

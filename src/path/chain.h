@@ -33,9 +33,6 @@ typedef struct chain {
     int32_t *behind;             /* CHAIN_BEHIND_WORDS or more for what sorts them */
     const struct places *places; /* where free ends are looked for, or NULL */
 #endif
-#if CONFIG_FETCH
-    int32_t *few; /* ends that may have a neighbour, while they are paired; or NULL */
-#endif
 } chain_t;
 
 /* Finds the page points of all ends, and changes nothing else: runs keep their order of arrival. But those that the map
