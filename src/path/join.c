@@ -36,13 +36,16 @@ static bool is_near(const join_t *j, const ink_piece_t *p, int64_t s, int64_t t)
            dx * dx + dy * dy <= (int64_t)j->gap_lat * j->gap_lat;
 }
 
-/* May the gap from s to t be closed? A node inside of it becomes a vertex of the run, so it has to be near both ends: a
- * spike that leaves the paper goes out and comes back within a quarter step of each other. */
-static bool is_gap_small(const join_t *j, const ink_piece_t *p, int64_t s, int64_t t) {
-    if ((t - s) >> (ink_bits(p->family) - JOIN_GAP_BITS) != 0) return false;
+/* Is a gap from s to t that is not wide to be closed? A node inside of it becomes a vertex of the run, so it has to be
+ * near both ends: a spike that leaves the paper goes out and comes back within a quarter step of each other. */
+static __attribute__((noinline)) bool is_gap_near(const join_t *j, const ink_piece_t *p, int64_t s, int64_t t) {
     const int64_t node = ink_next(p->family, s, t);
     if (node == t) return is_near(j, p, s, t);
     return is_near(j, p, s, node) && is_near(j, p, node, t);
+}
+
+static inline bool is_gap_small(const join_t *j, const ink_piece_t *p, int64_t s, int64_t t) {
+    return (t - s) >> (ink_bits(p->family) - JOIN_GAP_BITS) == 0 && is_gap_near(j, p, s, t);
 }
 
 /* Extends r by p if it continues r at either end. */
