@@ -40,8 +40,6 @@ typedef struct chain {
 int32_t chain_place(chain_t *c, pool_t *pool, const ink_map_t *map, int32_t near_lat);
 /* Pairs ends: fills pool->mate; free ends are negative until chain_close says more. */
 void chain_pair(chain_t *c);
-/* Pairs the ends of a cluster, straightest first; `end` is overwritten. */
-void chain_pair_cluster(chain_t *c, int32_t *end, int n);
 /* Links the two free ends of every stroke, and marks the runs of open strokes RUN_SEEN that have no free end. Returns
  * the number of open strokes. */
 int32_t chain_close(chain_t *c);
@@ -72,7 +70,5 @@ void chain_ask(chain_t *c, page_point_t p);
 void chain_ask_end(chain_t *c);
 /* Enters the end e, at p and not entered yet, for chain_free_ends to find. */
 void chain_enter(chain_t *c, int32_t e, page_point_t p);
-/* The point that follows e into its run, for directions; false if the map does not know it. */
-bool chain_ahead(const chain_t *c, int32_t e, page_point_t *out);
 
 #endif

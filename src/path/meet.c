@@ -1,5 +1,6 @@
 /* meet.c - see meet.h. */
 #include "path/meet.h"
+#include "path/cluster.h"
 #include "path/loop.h"
 
 #if CONFIG_MANY_STROKES
@@ -42,7 +43,7 @@ static __attribute__((noinline)) void pair_at(places_t *p, uint32_t k, uint32_t 
     int n = places_near(p, p->chain->point[p->now.place[k].end], at, CHAIN_CLUSTER - 2);
     n = with(at, with(at, n, k), j);
     for (int i = 0; i < n; i++) list[i] = end[i] = p->now.place[at[i]].end;
-    chain_pair_cluster(p->chain, list, n);
+    cluster_pair(p->chain, list, n);
     for (int i = 0; i < n; i++) mate[i] = p->chain->pool->mate[end[i]];
     for (int i = 0; i < n; i++) {
         for (int m = i + 1; m < n; m++) {

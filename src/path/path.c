@@ -1,26 +1,20 @@
 /* path.c - the stages of path.h put together: when the pool is full, and at the end. */
 #include "path/path.h"
 #include "error.h"
-#include "path/chain.h"
 #include "path/dist.h"
 #include "path/emit.h"
-#include "path/loop.h"
-#include "path/match.h"
-#include "path/meet.h"
-#include "path/tour.h"
+#include "path/order.h"
 
 /* A full pool draws a half of its strokes; the rest stays to be continued. Smaller parts make 3 % fewer strokes, but
  * travel twice as far to them; keeping the youngest strokes instead of the farthest does the same. */
 #define FLUSH_PART 2
 
-/* Operations per stroke below which the tour is left as it is: what they could save is one part in 10,000 of the time
- * that so many strokes take. */
-#define EFFORT_LEAST 4
-
 /* With a feed: strokes are settled when the pen has less than this to do, until it has that much. */
 #define FEED_LEAST_US 1000000
 #define FEED_ENOUGH_US 4000000
 #define FEED_MEMORY_PART 8 /* of the memory, at most, is the outbox */
+
+#define TELL_STROKES 16384
 
 void path_default(path_config_t *c, uint32_t steps_per_mm_q16) {
     uint64_t step_q16 = steps_per_mm_q16 ? ((uint64_t)LAT_PER_MM << 32) / steps_per_mm_q16 : (uint64_t)LAT_PER_MM << 16;
@@ -45,35 +39,6 @@ static int pen_draw(void *ctx, page_point_t to) {
     p->stats.draws++;
     p->at = to;
     return p->pen->draw(p->pen->ctx, to);
-}
-
-static bool drop_if_dot(path_t *p, const page_point_t *point, int32_t start) {
-    if (!emit_is_dot(&p->pool, p->map, point, start, p->config.step_lat)) return false;
-    p->stats.dots++;
-    emit_drop(&p->pool, start);
-    return true;
-}
-
-static bool is_apart(page_point_t a, page_point_t b, int32_t by_lat) {
-    int32_t dx = a.x_lat - b.x_lat, dy = a.y_lat - b.y_lat;
-    if (dx >= by_lat || dx <= -by_lat || dy >= by_lat || dy <= -by_lat) return true; /* as most are */
-    return dist_of(dx, dy) >= (uint32_t)by_lat;
-}
-
-/* Drops the stroke at the free end e, if it is a dot. */
-static bool drop_dot(path_t *p, const chain_t *c, int32_t e) {
-    const int32_t far = ~p->pool.mate[e];
-    if (is_apart(c->point[e], c->point[far], p->config.step_lat) || !drop_if_dot(p, c->point, e)) return false;
-    p->pool.mate[e] = far; /* free no more */
-    p->pool.mate[far] = e;
-    return true;
-}
-
-/* Dots need not be in the tour, once nothing can come that continues them. */
-static void drop_dots(path_t *p, const chain_t *c) {
-    for (int32_t e = 0; e < 2 * p->pool.n; e++) {
-        if (~p->pool.mate[e] > e) drop_dot(p, c, e);
-    }
 }
 
 static void forget_drawn(pool_t *pool) {
@@ -135,74 +100,6 @@ static int settle(path_t *p, int32_t start) {
     return fed_of(p)->error;
 }
 
-/* How far ordering all that is left and drawing it is, in hundredths; a stage counts as much as it takes when there are
- * a million runs. */
-enum { TOLD_PLACED = 10, TOLD_PAIRED = 30, TOLD_CLOSED = 35, TOLD_ORDERED = 65, TOLD_ALL = 100 };
-#define TELL_STROKES 16384
-
-static void tell(const path_t *p, bool all, int32_t done) {
-#if CONFIG_TELL_ORDER
-    if (all && p->config.tell) p->config.tell(p->config.tell_ctx, done, TOLD_ALL);
-#else
-    (void)p, (void)all, (void)done;
-#endif
-}
-
-#if CONFIG_MANY_STROKES
-/* Pairs the ends of very many runs. */
-static bool pair_many(path_t *p, places_t *places, chain_t *chain, bool all) {
-    if (!places_sort(places, chain, p->leaves, p->config.home, p->config.step_lat)) return false;
-    meet_pair(places);
-    tell(p, all, TOLD_PAIRED);
-    for (int32_t k = 0; all && k < 2 * places->briefs; k++) {
-        const int32_t at = places->brief[k / 2][k % 2];
-        if (!places_is_marked(places->now.spot[at]) && drop_dot(p, chain, places->now.place[at].end))
-            places_drop(places, at);
-    }
-    return true;
-}
-#endif
-
-static void pair(path_t *p, chain_t *chain, bool all) {
-    chain_pair(chain);
-    tell(p, all, TOLD_PAIRED);
-    chain_close(chain);
-    if (loop_find(chain)) loop_open(chain);
-    if (all) drop_dots(p, chain);
-}
-
-/* all: nothing can come that continues a stroke. improve: there is time for it. */
-static void order(path_t *p, tour_t *tour, bool all, bool improve) {
-    chain_t chain;
-    pool_t *pool = &p->pool;
-    p->stats.lost += chain_place(&chain, pool, p->map, p->config.step_lat / 4);
-    tell(p, all, TOLD_PLACED);
-#if CONFIG_MANY_STROKES
-    places_t places;
-    const bool many = pair_many(p, &places, &chain, all);
-    if (!many) pair(p, &chain, all);
-    if (many && match_order(&places, tour)) {
-        tell(p, all, TOLD_ORDERED);
-        return;
-    }
-#else
-    pair(p, &chain, all);
-#endif
-    tour_collect(tour, &chain, p->leaves, p->config.home);
-    pump(p);
-    tell(p, all, TOLD_CLOSED);
-    tour_greedy(tour);
-    tell(p, all, TOLD_ORDERED);
-    pump(p);
-    int64_t operations = improve ? (int64_t)p->config.effort * tour->n : 0;
-    if (operations > p->config.effort_max) operations = p->config.effort_max;
-    if (operations < (int64_t)EFFORT_LEAST * tour->n) operations = 0;
-    tour->tick = pool->tick;
-    tour->tick_ctx = p;
-    tour_improve(tour, operations);
-    tour_settle(tour);
-}
-
 /* Orders what is in the pool (as it comes, if the pen waits for it) and draws, or settles, the first strokes of it:
  * all, a part to make room, or until the pen has enough to do. */
 enum flush { FLUSH_ALL, FLUSH_ROOM, FLUSH_FEED };
@@ -211,14 +108,14 @@ static int flush(path_t *p, enum flush why) {
     const int64_t until_us = why == FLUSH_FEED ? FEED_ENOUGH_US : INT64_MAX;
     pool_t *pool = &p->pool;
     tour_t tour;
-    order(p, &tour, all, why != FLUSH_FEED);
+    order_strokes(p, &tour, all, why != FLUSH_FEED);
     const int32_t count = why == FLUSH_ROOM ? (tour.n + FLUSH_PART - 1) / FLUSH_PART : tour.n;
     int err = !fed_of(p) ? 0 : all ? drain(p) : fed_of(p)->error;
     p->drawing = tour.n;
     for (int32_t k = 0; !err && k < count && (!fed_of(p) || fed_of(p)->ahead_us < until_us); k++) {
         p->drawn = k;
         if (k % TELL_STROKES == 0)
-            tell(p, all, TOLD_ORDERED + (int32_t)((int64_t)k * (TOLD_ALL - TOLD_ORDERED) / count));
+            order_tell(p, all, TOLD_ORDERED + (int32_t)((int64_t)k * (TOLD_ALL - TOLD_ORDERED) / count));
 #if CONFIG_FETCH
         tour_fetch(&tour, pool, k, p->config.fetch, p->map->ctx);
 #endif
@@ -231,7 +128,7 @@ static int flush(path_t *p, enum flush why) {
         tour_fetch_winding(&tour, pool, p->config.fetch, p->map->ctx);
 #endif
         int32_t start = tour_stroke(&tour, pool, k);
-        if (!all && drop_if_dot(p, tour.point, start)) continue;
+        if (!all && order_drop_dot(p, tour.point, start)) continue;
         if (fed_of(p) && !all)
             err = settle(p, start);
         else
