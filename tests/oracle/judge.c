@@ -337,9 +337,16 @@ static int by_line(const void *p, const void *q) {
     return (a->from > b->from) - (a->from < b->from);
 }
 
+static bool is_on_a_line(const judge_subject_t *r, const judge_piece_t *p) {
+    return p->family >= 0 && p->family < 2 && p->line >= 0 && p->line < r->lines(r->ref, p->family) && p->from >= 0 &&
+           p->from <= p->to && p->to <= r->edges(r->ref, p->family, p->line);
+}
+
 int judge_pieces(const judge_subject_t *r, const page_view_t *v, const judge_piece_t *piece, size_t n,
                  judge_report_t *out) {
     *out = (judge_report_t){0};
+    for (size_t i = 0; i < n; i++)
+        if (!is_on_a_line(r, &piece[i])) return -1;
     judge_piece_t *sorted = malloc((n + 1) * sizeof *sorted);
     if (!sorted) abort();
     if (n) memcpy(sorted, piece, n * sizeof *sorted);
@@ -353,9 +360,7 @@ int judge_pieces(const judge_subject_t *r, const page_view_t *v, const judge_pie
             line_t l = {.r = r, .v = v, .family = family, .index = index, .edges = edges, .piece = sorted, .pieces = n};
             if (r->every == 0) l.ink = &ink;
             size_t first = at;
-            while (at < n && sorted[at].family == family && sorted[at].line == index && sorted[at].from >= 0 &&
-                   sorted[at].to <= edges && sorted[at].from <= sorted[at].to)
-                at++;
+            while (at < n && sorted[at].family == family && sorted[at].line == index) at++;
             if (r->every > 0 && (index + family) % r->every != r->every / 2) continue;
             take_pieces(&l, sorted + first, at - first, out);
             judge_line(&l, out);
@@ -368,7 +373,7 @@ int judge_pieces(const judge_subject_t *r, const page_view_t *v, const judge_pie
     }
     judge_page_free(&ink);
     free(sorted);
-    return at == n ? 0 : -1;
+    return 0;
 }
 
 void judge_worst(judge_report_t *all, const judge_report_t *one) {
