@@ -58,8 +58,10 @@ static int run_scene(const options_t *o, FILE *scene, const char *name) {
     int status = script_status(err);
     if (job.stats) {
         report_json_end(job.stats);
-        int bad = fflush(job.stats) != 0 || ferror(job.stats);
-        if ((job.stats != stdout && fclose(job.stats) != 0) || bad) status = cannot(o->stats, SCRIPT_TROUBLE);
+        if (job.stats != stdout) { /* whether that could be written is asked in the end */
+            int bad = fflush(job.stats) != 0 || ferror(job.stats);
+            if (fclose(job.stats) != 0 || bad) status = cannot(o->stats, SCRIPT_TROUBLE);
+        }
     }
     if (!err && !job.pages && job.outputs && o->scene)
         fprintf(stderr, "ridgeline: nothing was written; %s plots nothing\n", name);
