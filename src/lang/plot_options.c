@@ -11,23 +11,11 @@ int plot_options_twice(session_t *s, const lexer_t *lx, bool *seen) {
     return 0;
 }
 
-/* A whole number, or a variable that holds one. */
-static int column_number(session_t *s, lexer_t *lx, int64_t *c) {
-    const bool minus = lexer_accept(lx, '-');
-    value_t v = lx->tok.value;
-    if (CONFIG_CONTROL && lx->tok.kind == TOKEN_NAME) {
-        const int symbol = names_find_defined(&s->lang, SYMBOL_VARIABLE, lexer_text(lx), lx->tok.len);
-        if (symbol < 0)
-            return lang_error_set_name(&s->error, ERR_NAME, lexer_column(lx), "undefined variable", lexer_text(lx),
-                                       lx->tok.len);
-        v = s->lang.symbol[symbol].u.value;
-    } else if (lx->tok.kind != TOKEN_NUMBER) {
+/* A whole number: an expression without brackets is a column's number. */
+static int column_number(session_t *s, lexer_t *lx, int32_t *c) {
+    if (lx->tok.kind != TOKEN_NUMBER && lx->tok.kind != TOKEN_NAME && lx->tok.kind != '-')
         return lexer_unexpected(lx, &s->error, COLUMN_EXPECTED);
-    }
-    if (v.kind != VALUE_INT) return lexer_unexpected(lx, &s->error, COLUMN_EXPECTED);
-    *c = minus ? -v.m : v.m;
-    lexer_next(lx);
-    return 0;
+    return expr_integer(&s->lang, lx, INT16_MIN, INT16_MAX, c, &s->error);
 }
 
 /* One part of using: a column, or an expression in brackets. */
@@ -43,13 +31,13 @@ static int using_part(session_t *s, lexer_t *lx, session_source_t *src, int k) {
     if (lx->tok.kind == TOKEN_STRING)
         return session_fail(s, lx, ERR_UNSUPPORTED, "columns have numbers here, not names");
     lexer_t at = *lx;
-    int64_t c = 0;
+    int32_t c = 0;
     int err = column_number(s, lx, &c);
     if (err) return err;
     if (c < USING_SET || c > CONFIG_DATA_COLUMNS)
         return lang_error_set_number(&s->error, ERR_VALUE, lexer_column(&at), "columns are numbered from -2 to",
                                      CONFIG_DATA_COLUMNS);
-    spec->part[k] = (int32_t)c;
+    spec->part[k] = c;
     if (c > 0) spec->wanted |= (uint64_t)1 << c;
     return 0;
 }
@@ -58,7 +46,7 @@ static int using_part(session_t *s, lexer_t *lx, session_source_t *src, int k) {
 static int using_more(session_t *s, lexer_t *lx) {
     expr_t unused;
     if (lx->tok.kind == '(') return plot_options_expression(s, lx, &unused);
-    int64_t number;
+    int32_t number;
     if (lx->tok.kind != TOKEN_STRING) return column_number(s, lx, &number);
     lexer_next(lx);
     return 0;

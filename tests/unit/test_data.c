@@ -26,6 +26,8 @@ static void points_are_gnuplots(void **state) {
         {THREE, "using 1:2:3"},
         {THREE, "using 1:(\\$2*2):(\\$3*2+column(1))"},
         {THREE, "using 3"},
+        {THREE, "using 2-1:1+1:6/2"},
+        {THREE, "using 1:2:(\\$3+1)/2"},
         {TWO_SETS, "skip 8 index 0 using 1:2:3:(\\$1)"},
         {TWO_SETS, "skip 8 index 1 volatile"},
         {THREE, "using 2:1:3"},
