@@ -30,6 +30,7 @@ $(SAYING:%.c=$(FWDIR)/$1/%.o): $(FWDIR)/$1/%.o: $(FWDIR)/said/%.c firmware/board
 	@mkdir -p $$(@D)
 	$$(call say,CC,$1 $$*.c)
 	$$(Q)$$(compile_$1) -c $$< -o $$@
+$(FWDIR)/$1/src/said.o: firmware/pairs.txt
 $(FWDIR)/$1/src/lang/help.o: $(FWDIR)/$1/help.h
 $(FWDIR)/$1/src/lang/help.o: FW_CFLAGS += -DHELP_PACKED='"$(FWDIR)/$1/help.h"'
 $(FWDIR)/$1/%.o: %.S

@@ -203,7 +203,7 @@ static int memory(console_t *c) {
 }
 
 /* What typed solids take, as towers of cubes and lattices of struts do that fill a board (docs/BOARD.md). */
-#define CUBE_BYTES 1460
+#define CUBE_BYTES 1350
 #define STRUT_BYTES 110
 #define STRUTS_BYTES (600 + (int)HIDDEN_LENT(uint8_t[290])) /* and once for all of them */
 

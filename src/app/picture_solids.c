@@ -82,8 +82,14 @@ static mesh_t sum_of(const plot_t *plot, const meshes_t *m) {
     return sum;
 }
 
-/* Faces of bodies that are not convex hide one by one. Before the scene is put together, bodies are counted by Euler's
- * formula, and what has more than thirty faces is taken not to be convex. */
+/* Before a scene is put together its bodies are counted by Euler's formula; 1 at least. */
+static size_t bodies_of(const mesh_t *sum) {
+    const int32_t twice = sum->nv - sum->corners / 2 + sum->faces;
+    return twice < 4 ? 1 : (size_t)twice / 2;
+}
+
+/* Faces of bodies that are not convex hide one by one. Before the scene is put together what has more than thirty faces
+ * is taken not to be convex. */
 static size_t lone_faces(const picture_t *p, const mesh_t *sum) {
     const solid_t *s = &p->solid;
     size_t n = 0;
@@ -113,10 +119,16 @@ static size_t hiding_needs(const picture_t *p, const mesh_t *sum, size_t edges, 
     const enum hidden_mode hidden = p->plot->settings->hidden;
     const size_t faces = (size_t)sum->faces, corners = (size_t)sum->corners;
     if (hidden == HIDDEN_NONE) return 0;
-    if (CONFIG_HALO && hidden == HIDDEN_HALO) return halo_ink_needs((int32_t)edges, (int32_t)edges - sum->corners / 2);
+    if (CONFIG_HALO && hidden == HIDDEN_HALO)
+        return halo_ink_needs((int32_t)edges, (int32_t)edges - sum->corners / 2, (int32_t)bodies_of(sum));
     if (CONFIG_AREA && hidden == HIDDEN_AREA) return area_needs(p, sum);
     const size_t lone = lone_faces(p, sum) / 2, wholes = lone == 0 ? objects : 0;
     return faces + 5 * objects + 48 * (lone + wholes) + 12 * faces + 4 * corners + 16 * 8;
+}
+
+/* And ordering, at the least. */
+static size_t kernel_needs(const picture_t *p, const mesh_t *sum, size_t edges, size_t objects) {
+    return hiding_needs(p, sum, edges, objects) + PATH_BYTES_MIN + 32;
 }
 
 size_t picture_solids_needs(const picture_t *p) {
@@ -133,9 +145,10 @@ size_t picture_solids_needs(const picture_t *p) {
                               : (size_t)sum.nv * sizeof(solid_vertex_t) + (size_t)sum.corners * sizeof(int32_t) +
                                     (size_t)sum.faces * sizeof(solid_face_t) + objects * sizeof(solid_object_t) +
                                     edges * sizeof(solid_edge_t) + SOLID_MAP_BYTES(sum.nv);
-    /* Of what coincides some stays. */
-    const size_t once = ONCE_BYTES_LEAST(edges, sum.nv), same = p->found_same ? p->same_bytes : 4 * (size_t)sum.corners,
-                 hiding = same + hiding_needs(p, &sum, edges, objects) + PATH_BYTES_MIN + 32;
+    /* Of what coincides some stays: of bodies that stand in line a fifth of the edges, of one body hardly any. */
+    const size_t guess = (size_t)sum.corners / 2 * (bodies_of(&sum) > 1 ? 4 + 48 / 5 : 4 + 48 / 12);
+    const size_t once = ONCE_BYTES_LEAST(edges, sum.nv), same = p->found_same ? p->same_bytes : guess,
+                 hiding = same + kernel_needs(p, &sum, edges, objects);
     const size_t then = kept + (once > hiding ? once : hiding);
     return building > then ? building : then;
 }
@@ -340,8 +353,15 @@ static int find_what_coincides(picture_t *p, once_t *once) {
         set->dashed || set->hidden == HIDDEN_NONE || set->hidden == HIDDEN_HALO || set->hidden == HIDDEN_AREA;
     int err = mem ? once_build(once, &p->solid_map, away, mem, bytes) : ERR_FULL;
     p->arena = before;
-    if (!err && once->bytes > 0) arena_take(&p->arena, once->bytes); /* the same place */
-    return err;
+    if (err || once->bytes == 0) return err;
+    meshes_t m;
+    list_meshes(p->plot, &m);
+    const mesh_t sum = sum_of(p->plot, &m);
+    const size_t rest = kernel_needs(p, &sum, (size_t)p->solid.ne, (size_t)p->solid.no);
+    const size_t wanted = rest + rest / 4; /* how often haloed lines cross is a guess */
+    if (bytes - once->bytes < wanted) once_spare(once, wanted - (bytes - once->bytes));
+    arena_take(&p->arena, once->bytes); /* the same place */
+    return 0;
 }
 
 /* In what is left of the memory, of a scene that does not fit; for picture_solids_needs. */

@@ -117,9 +117,9 @@ static size_t bytes_for(int64_t edges, int64_t crossings) {
            HIDDEN_LENT(halo_t);
 }
 
-size_t halo_ink_needs(int32_t edges, int32_t loose) {
-    const int64_t of_faces = edges - loose;
-    return bytes_for(edges, loose / 2 + of_faces * (int64_t)ints_sqrt_u64((uint64_t)of_faces) / 5);
+size_t halo_ink_needs(int32_t edges, int32_t loose, int32_t bodies) {
+    const int64_t of_faces = edges - loose, own = of_faces * (int64_t)ints_sqrt_u64((uint64_t)(of_faces / bodies)) / 5;
+    return bytes_for(edges, own + (bodies > 1 ? edges : loose) / 2);
 }
 
 /* Edges are dealt into heaps; those of one go to h, as long as there is room. Returns how many there are, *err tells

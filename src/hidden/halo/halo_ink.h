@@ -28,8 +28,9 @@ typedef struct halo_source {
  * stats->crossings is 0. */
 int halo_ink_draw(const halo_source_t *source, int32_t width, bool ends, const hidden_job_t *job,
                   hidden_stats_t *stats);
-/* About the memory it would take with as many crossings as there are usually: one for two loose edges, and between
- * those of faces, whose back shows through, as many as they are times a fifth of the root of that. */
-size_t halo_ink_needs(int32_t edges, int32_t loose);
+/* About the memory it would take with as many crossings as there are usually: one for two edges that are
+ * loose or of several bodies, and within a body, whose back shows through, as many as its edges times a fifth of the
+ * root of that. */
+size_t halo_ink_needs(int32_t edges, int32_t loose, int32_t bodies);
 
 #endif

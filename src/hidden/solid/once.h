@@ -35,10 +35,10 @@ typedef struct once_piece {
 
 typedef struct once {
     const solid_map_t *map;
-    ink_sink_t seen, dashed; /* where ink goes */
-    int32_t *group;          /* of each edge: twice the first of its edges, and 1 more if its line runs along y; -1 */
-    once_piece_t *piece;     /* of edges in groups */
-    int32_t n, n_max;
+    ink_sink_t seen, dashed;   /* where ink goes */
+    int32_t *group;            /* of each edge: twice the first of its edges, and 1 more if its line runs along y; -1 */
+    once_piece_t *piece;       /* of edges in groups */
+    int32_t n, n_max, n_least; /* pieces there are, there is room for, there should be room for */
     uint8_t surface[ONCE_RANKS]; /* of the pieces of a rank (hidden/line_class.h) */
     size_t bytes;                /* of the lent memory that stay in use */
 } once_t;
@@ -53,6 +53,9 @@ typedef struct once {
  * between faces turned from the eye? If not, they are not looked at, which saves a sixth of the time (and if it draws
  * one after all, that passes through). Returns 0 or ERR_FULL. */
 int once_build(once_t *o, const solid_map_t *m, bool away, void *mem, size_t bytes);
+/* Gives back what it can of the lent memory, up to so many bytes: it keeps room for four pieces of each edge, and where
+ * others lack memory two must do. Before the first piece. */
+void once_spare(once_t *o, size_t bytes);
 /* Sinks for what is visible and what is hidden; next and dashes are where it goes to. Ink must be cut to the page
  * (view/cut.h) where the map is not all inside; what is not an edge's passes through. */
 ink_sink_t once_seen(once_t *o, ink_sink_t next);

@@ -278,7 +278,16 @@ int once_build(once_t *o, const solid_map_t *m, bool away, void *mem, size_t byt
     o->group = s.parent;
     const int64_t enough = 4 * grouped + 8;
     o->n_max = room > (size_t)enough ? (int32_t)enough : (int32_t)room;
+    o->n_least = (int32_t)(2 * grouped + 8);
     o->piece = (once_piece_t *)(void *)after;
     o->bytes = ((size_t)(after - (uint8_t *)mem) + (size_t)o->n_max * sizeof *o->piece + 7) & ~(size_t)7;
     return 0;
+}
+
+void once_spare(once_t *o, size_t bytes) {
+    const size_t wanted = (bytes + sizeof *o->piece - 1) / sizeof *o->piece;
+    if (o->n_max <= o->n_least) return;
+    const size_t most = (size_t)(o->n_max - o->n_least), gone = wanted < most ? wanted : most;
+    o->n_max -= (int32_t)gone;
+    o->bytes -= gone * sizeof *o->piece;
 }
