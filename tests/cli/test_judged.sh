@@ -63,6 +63,8 @@ gnuplots_views() {
     judged 21 21 -2:2 -2:2 "$noise" 'set view 120,210,.8,1.5'
     judged 21 21 -2:2 -2:2 'x*x-y*y' 'set view 0,0'
     judged 15 21 0:1 -7:3 "$noise" 'set view 75,300'
+    judged 3 400 -2:2 -2:2 'sin(13*x+878*y)' 'set view .5,0' # nearly from above: rows .3 mm apart, heights .6 mm
+    judged 3 400 -2:2 -2:2 'sin(13*x+878*y)' 'set view 179.5,0'
 }
 holes() {
     judged 25 25 -2:2 -2:2 'sqrt(3.1-x*x-y*y)' 'set view 60,30'
