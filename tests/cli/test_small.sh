@@ -8,7 +8,7 @@ capacities='-DCONFIG_LINE_MAX=80 -DCONFIG_LOAD_DEPTH=0 -DCONFIG_READ_CHUNK=16 -D
 
 a_session_with_the_smallest_capacities() {
     src=$root/src
-    ls "$src"/error.c "$src"/num/*.c "$src"/lang/*.c "$src"/motion/machine.c "$src"/scene/*.c |
+    ls "$src"/error.c "$src"/said.c "$src"/num/*.c "$src"/lang/*.c "$src"/motion/machine.c "$src"/scene/*.c |
         xargs -P 2 -n 12 ${CC:-gcc} -std=c11 -O0 -D_DEFAULT_SOURCE $capacities -I"$src" -I"$root" -c
     ar rcs core.a ./*.o # of src/scene only what the language wants
     ${CC:-gcc} -std=c11 -O0 -D_DEFAULT_SOURCE $capacities -I"$src" -I"$root" "$root"/tests/small/small_session.c core.a -lcmocka -lm -o small
