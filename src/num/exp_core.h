@@ -8,6 +8,7 @@
 #define EXP_CORE_H
 
 #include "num/func_tables.h"
+#include "num/ints.h"
 #include "num/words.h"
 
 #define LN2_64_Q70 0xb17217f7d1cf79abu /* ln 2 / 64 in Q70 ... */
@@ -29,6 +30,7 @@ static inline int32_t exp_scaled_short(int32_t a, int32_t b) {
 /* a / 2^30, to nearest. */
 static inline int32_t exp_from_q30(words_t a) {
     a = words_add(a, words(0, 1u << 29));
+    if (WORDS_WIDE) return (int32_t)(words_join(a) >> 30);
     return (int32_t)(words_hi(a) << 2 | words_lo(a) >> 30);
 }
 
@@ -60,14 +62,15 @@ static inline int32_t exp_steps_q21(int32_t a) {
 }
 static inline int32_t exp_steps(int64_t m, int32_t e) {
     const int n = -(e + 53);
-    return n < 31 ? exp_steps_q21((int32_t)(m >> 32) >> n) : 0;
+    return n < 31 ? exp_steps_q21((int32_t)(m >> 32) >> ints_count(n)) : 0;
 }
 
 /* What is left of m * 2^e, |m| in [2^62, 2^63), e <= -53 without k steps. */
 static inline __attribute__((always_inline)) words_t exp_rest(int64_t m, int32_t e, int32_t k) {
     /* a - k ln2/64 modulo 2^64 in Q70: only the difference has to fit */
     const int s = e + 70; /* at most 17 */
-    const words_t a = words_of((uint64_t)m), r = s > 0 ? words_shl(a, s) : words_sar_far(a, -s);
+    const words_t a = words_of((uint64_t)m), r = s > 0 ? words_shl(a, ints_count(s)) : words_sar_far(a, -s);
+    if (WORDS_WIDE) return words_of(words_join(r) - (uint64_t)k * LN2_64_Q70 - (uint64_t)((k * LN2_64_Q70_NEXT) >> 14));
     /* The lower word of ln2/64 counts as negative. */
     words_t step = words_mul_s32(k, (int32_t)(uint32_t)LN2_64_Q70);
     step = words(words_hi(step) + (uint32_t)k * (uint32_t)((LN2_64_Q70 >> 32) + 1), words_lo(step));

@@ -15,6 +15,15 @@ static inline int ints_clz32(uint32_t a) {
     return __builtin_clz(a);
 }
 
+/* n, how far something is to be shifted. On x86 clang computes it in the lowest eight bits of a register, and then
+ * waits for whatever was in the others: the points of a row one after the other, which are under way side by side. */
+static inline int ints_count(int n) {
+#if defined __clang__ && defined __x86_64__
+    __asm("" : "+r"(n));
+#endif
+    return n;
+}
+
 /* |a| as an unsigned number, INT64_MIN included. */
 static inline uint64_t ints_abs64(int64_t a) {
     uint64_t sign = (uint64_t)(a >> 63);

@@ -17,7 +17,7 @@ static inline wide_t trig_steps(uint32_t k) {
 /* The nearest k of m * 2^e, m in [2^62, 2^63), e < -42. */
 static inline uint32_t trig_nearest(uint64_t m, int32_t e) {
     const int n = -(e + 43);                                                        /* at least 0 */
-    const uint32_t a11 = n < 31 ? (uint32_t)(m >> 32) >> n : 0;                     /* Q11 */
+    const uint32_t a11 = n < 31 ? (uint32_t)(m >> 32) >> ints_count(n) : 0;         /* Q11 */
     return (uint32_t)((wide_mul_u32(a11, 1367130551) + ((uint64_t)1 << 35)) >> 36); /* 128/pi in Q25 */
 }
 
@@ -27,7 +27,7 @@ static inline uint32_t trig_nearest(uint64_t m, int32_t e) {
 #define TRIG_WHOLE(e) ((uint32_t)((e) + 69) <= 69 - 43)
 static inline int64_t trig_rest_q69(uint64_t m, int32_t e, uint32_t k) {
     const uint64_t steps = k * 0xc90fdaa22168c234u + wide_mulhi_u64(k, 0xc4c6628b80dc1cd1u); /* pi in Q62 and Q126 */
-    return (int64_t)((m << ((e + 69) & 63)) - steps - (k != 0));
+    return (int64_t)((m << (ints_count(e + 69) & 63)) - steps - (k != 0));
 }
 
 /* sin r = r - r * u and cos r = 1 - c; u, c in Q74. */

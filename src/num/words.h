@@ -142,6 +142,9 @@ static inline int32_t words_mulhi_s32(int32_t a, int32_t b) {
 
 #endif
 
+/* Registers of 64 bits: what follows is shorter without words. */
+#define WORDS_WIDE (sizeof(void *) >= 8)
+
 static inline words_t words_of(uint64_t a) {
     return words((uint32_t)(a >> 32), (uint32_t)a);
 }
@@ -149,14 +152,17 @@ static inline uint64_t words_join(words_t a) {
     return (uint64_t)words_hi(a) << 32 | words_lo(a);
 }
 static inline words_t words_of_s32(int32_t a) {
+    if (WORDS_WIDE) return words_of((uint64_t)a);
     return words((uint32_t)(a >> 31), (uint32_t)a);
 }
 /* The upper word of a, rounded; what is left, the lower one, then has a sign. */
 static inline int32_t words_upper(words_t a) {
+    if (WORDS_WIDE) return (int32_t)((words_join(a) + 0x80000000u) >> 32);
     return (int32_t)(words_hi(a) + (words_lo(a) >> 31));
 }
 /* words_sar by any n from 0 on. */
 static inline words_t words_sar_far(words_t a, int n) {
+    if (WORDS_WIDE) return words_of((uint64_t)((int64_t)words_join(a) >> (n < 63 ? n : 63)));
     if (n >= 32) {
         const int32_t hi = (int32_t)words_hi(a);
         return words_of_s32(hi >> (n < 63 ? n - 32 : 31));
@@ -170,7 +176,7 @@ static inline uint32_t words_sign(words_t a) {
 /* a with the sign of s, which is 0 or ~0: (a ^ s) - s. */
 static inline words_t words_with_sign(words_t a, uint32_t s) {
     if (__builtin_constant_p(s) && s == 0) return a;
-    if (sizeof(void *) >= 8) return words_of((words_join(a) ^ (uint64_t)(int32_t)s) - (uint64_t)(int32_t)s);
+    if (WORDS_WIDE) return words_of((words_join(a) ^ (uint64_t)(int32_t)s) - (uint64_t)(int32_t)s);
     return words_sub(words(words_hi(a) ^ s, words_lo(a) ^ s), words(s, s));
 }
 static inline words_t words_mul_s32(int32_t a, int32_t b) {

@@ -4,6 +4,7 @@
 #include "config.h"
 #include "error.h"
 #include "hidden/ink.h"
+#include "num/ints.h"
 
 _Static_assert(GRID_SIDE_MAX <= INK_GRID_POINTS, "a parameter counts all points of a line");
 
@@ -57,7 +58,7 @@ static inline page_h_t base_h(const page_map_t *m, int32_t i, int32_t j) {
  * where depths differ by a million. Budget: |zi| <= 2^30, so the halves' products stay below 2^61 and 2^62. */
 static inline int64_t height_share(const page_map_t *m, int k, int32_t zi) {
     int64_t high = zi * (m->z_mul[k] >> 32), low = zi * (m->z_mul[k] & 0xffffffff);
-    return (high + (low >> 32)) >> m->z_shift[k];
+    return (high + (low >> 32)) >> ints_count(m->z_shift[k]);
 }
 
 static page_h_t value_share(const page_map_t *m, num_t z) {
