@@ -3,6 +3,7 @@
 
 #include "num/ints.h"
 #include "num/wide.h"
+#include <string.h>
 
 #define CLAMP_LAT 256 /* a rounded cut may fall outside of the window by this much, half a step */
 
@@ -40,6 +41,16 @@ page_point_t line_space_divide(const line_space_t *s, const page_h_t *h) {
     return (page_point_t){(int32_t)((h->x + half) >> s->frac_bits), (int32_t)((h->y + half) >> s->frac_bits)};
 }
 
+/* As one, as it will be read: what is read in larger pieces than it was written is waited for. */
+static inline void put(page_point_t *out, page_point_t p) {
+#if CONFIG_64BIT && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    const uint64_t both = (uint64_t)(uint32_t)p.y_lat << 32 | (uint32_t)p.x_lat;
+    memcpy(out, &both, sizeof both);
+#else
+    *out = p;
+#endif
+}
+
 static int32_t clamp(int32_t v, int32_t lo, int32_t hi) {
     return v < lo ? lo : v > hi ? hi : v;
 }
@@ -74,7 +85,7 @@ static inline bool point_of(const line_space_t *s, uint8_t family, int32_t line,
     } else {
         /* where a line was cut at near_e, E is that but for its rounding */
         if (h->e < s->near_e - (s->near_e >> 8)) return false;
-        *out = line_space_divide(s, h);
+        put(out, line_space_divide(s, h));
     }
     if (s->all_inside) return true;
     page_point_t free = *out;
