@@ -7,12 +7,11 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 
 #include "error.h"
+#include "host/huge_pages.h"
 
 /* In bytes. Sizes are FIRST_ROOM * 2^k up to LARGE, then LARGE_ROOM * 2^k. */
-#define HUGE_PAGE ((size_t)2 << 20)
 #define FIRST_ROOM ((size_t)8 << 10)
 #define LARGE ((size_t)512 << 10)
 #define LARGE_ROOM ((size_t)8 << 20)
@@ -80,12 +79,8 @@ void drawing_set_title(drawing_t *d, const char *title) {
 }
 
 static void ask_huge_pages(void *p, size_t bytes) {
-#ifdef MADV_HUGEPAGE
     const uintptr_t from = ((uintptr_t)p + HUGE_PAGE - 1) / HUGE_PAGE * HUGE_PAGE, end = (uintptr_t)p + bytes;
-    if (bytes >= 2 * HUGE_PAGE) madvise((void *)from, end - from, MADV_HUGEPAGE);
-#else
-    (void)p, (void)bytes;
-#endif
+    if (bytes >= 2 * HUGE_PAGE) huge_pages_ask((void *)from, end - from);
 }
 
 /* What an array holds, in so much memory that begins with a huge page. */

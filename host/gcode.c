@@ -33,42 +33,42 @@ static void pen_command(out_t *o, const char *command, uint32_t delay_us) {
     out_commit(o, p);
 }
 
-static void lower(text_t *t) {
-    pen_command(&t->out, "M3 S1000", t->machine->lower_us);
+static void lower(stroke_file_t *f) {
+    pen_command(&f->out, "M3 S1000", f->machine->lower_us);
 }
-static void lift(text_t *t) {
-    pen_command(&t->out, "M5", t->machine->lift_us);
-}
-
-static void head(text_t *t) {
-    out_text(&t->out, "; Ridgeline drawing: M3 lowers the pen, M5 lifts it\nG21\nG90\n");
-    lift(t);
+static void lift(stroke_file_t *f) {
+    pen_command(&f->out, "M5", f->machine->lift_us);
 }
 
-static void take_pen(text_t *t, int pen) {
-    out_format(&t->out, "G0 X0 Y0\nT%d\nM0 ; put pen %d in, then resume\n", pen, pen);
+static void head(stroke_file_t *f) {
+    out_text(&f->out, "; Ridgeline drawing: M3 lowers the pen, M5 lifts it\nG21\nG90\n");
+    lift(f);
+}
+
+static void take_pen(stroke_file_t *f, int pen) {
+    out_format(&f->out, "G0 X0 Y0\nT%d\nM0 ; put pen %d in, then resume\n", pen, pen);
 }
 
 /* The speed stands in a stroke's first line. */
-static void write_draw(text_t *t, page_point_t to) {
-    const uint32_t um_s = t->machine->draw_speed_um_s, um_min = um_s < UINT32_MAX / 60 ? um_s * 60 : UINT32_MAX;
-    char *p = out_reserve(&t->out, 4 * OUT_NUMBER_MAX);
+static void write_draw(stroke_file_t *f, page_point_t to) {
+    const uint32_t um_s = f->machine->draw_speed_um_s, um_min = um_s < UINT32_MAX / 60 ? um_s * 60 : UINT32_MAX;
+    char *p = out_reserve(&f->out, 4 * OUT_NUMBER_MAX);
     memcpy(p, "G1 F", 4);
     p = out_put_u32(p + 4, um_min / 1000);
     *p++ = ' ';
-    out_commit(&t->out, put_point(p, to));
+    out_commit(&f->out, put_point(p, to));
 }
 
-static void stroke(text_t *t, const page_point_t *point, size_t n) {
-    write_move(&t->out, "G0 ", point[0]);
-    lower(t);
-    write_draw(t, point[1]);
-    for (size_t i = 2; i < n; i++) write_move(&t->out, "", point[i]);
-    lift(t);
+static void stroke(stroke_file_t *f, const page_point_t *point, size_t n) {
+    write_move(&f->out, "G0 ", point[0]);
+    lower(f);
+    write_draw(f, point[1]);
+    for (size_t i = 2; i < n; i++) write_move(&f->out, "", point[i]);
+    lift(f);
 }
 
-static void tail(text_t *t) {
-    out_text(&t->out, "G0 X0 Y0\nM2\n");
+static void tail(stroke_file_t *f) {
+    out_text(&f->out, "G0 X0 Y0\nM2\n");
 }
 
-const text_format_t GCODE_FORMAT = {1, head, take_pen, stroke, tail};
+const stroke_format_t GCODE_FORMAT = {1, head, take_pen, stroke, tail};

@@ -7,8 +7,8 @@
 #ifndef GCODE_H
 #define GCODE_H
 
-#include "host/text.h"
+#include "host/stroke_file.h"
 
-extern const text_format_t GCODE_FORMAT;
+extern const stroke_format_t GCODE_FORMAT;
 
 #endif

@@ -21,8 +21,8 @@ static char *put_point(char *p, unit_point_t at) {
     return out_put_int(p, at.y);
 }
 
-static void stroke(text_t *t, const page_point_t *point, size_t n) {
-    out_t *o = &t->out;
+static void stroke(stroke_file_t *f, const page_point_t *point, size_t n) {
+    out_t *o = &f->out;
     unit_point_t at = unit_point(point[0]);
     char *p = out_reserve(o, 2 * OUT_NUMBER_MAX + 8);
     *p++ = 'P', *p++ = 'U';
@@ -52,17 +52,17 @@ static void stroke(text_t *t, const page_point_t *point, size_t n) {
     if (in_command) out_text(o, ";\n");
 }
 
-static void head(text_t *t) {
-    out_text(&t->out, "IN;");
+static void head(stroke_file_t *f) {
+    out_text(&f->out, "IN;");
 }
 
-static void take_pen(text_t *t, int pen) {
-    out_format(&t->out, "SP%d;\n", pen);
+static void take_pen(stroke_file_t *f, int pen) {
+    out_format(&f->out, "SP%d;\n", pen);
 }
 
-static void tail(text_t *t) {
-    if (!t->pen) take_pen(t, 1); /* no stroke did */
-    out_text(&t->out, "PU0,0;SP0;\n");
+static void tail(stroke_file_t *f) {
+    if (!f->pen) take_pen(f, 1); /* no stroke did */
+    out_text(&f->out, "PU0,0;SP0;\n");
 }
 
-const text_format_t HPGL_FORMAT = {0, head, take_pen, stroke, tail};
+const stroke_format_t HPGL_FORMAT = {0, head, take_pen, stroke, tail};

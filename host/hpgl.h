@@ -6,8 +6,8 @@
 #ifndef HPGL_H
 #define HPGL_H
 
-#include "host/text.h"
+#include "host/stroke_file.h"
 
-extern const text_format_t HPGL_FORMAT;
+extern const stroke_format_t HPGL_FORMAT;
 
 #endif

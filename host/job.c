@@ -8,16 +8,14 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 
 #include "app/picture_pens.h"
 #include "error.h"
+#include "host/huge_pages.h"
 #include "host/plotter.h"
 #include "host/progress.h"
-#include "host/text.h"
+#include "host/stroke_file.h"
 #include "host/writer.h"
-
-#define HUGE_PAGE ((size_t)2 << 20)
 
 void job_init(job_t *job) {
     memset(job, 0, sizeof *job);
@@ -71,10 +69,8 @@ static bool lend(job_t *job, size_t bytes) {
     if (bytes <= job->lent_bytes) return true;
     free(job->lent);
     if (posix_memalign(&job->lent, HUGE_PAGE, bytes)) job->lent = NULL;
-#ifdef MADV_HUGEPAGE
     /* Touching it page by page would take a tenth of a large drawing's time. */
-    if (job->lent && bytes > 4 * HUGE_PAGE) madvise(job->lent, bytes, MADV_HUGEPAGE);
-#endif
+    if (job->lent && bytes > 4 * HUGE_PAGE) huge_pages_ask(job->lent, bytes);
     job->lent_bytes = job->lent ? bytes : 0;
     return job->lent != NULL;
 }
@@ -92,14 +88,14 @@ static int on_pen(void *ctx, int number) {
 }
 
 /* Written while it is drawn. */
-static text_t stream;
+static stroke_file_t stream;
 
 /* A drawing that becomes one text file need not be in memory, if nobody wants to know more about it. */
 static bool begin_stream(job_t *job, const plot_t *plot, const char *name) {
     const uint32_t first_pen = 1u << 1;
     if (job->outputs != 1 || job->table || job->stats || job->gpio.pins || pens_wanted(plot) != first_pen) return false;
-    const text_format_t *format = writer_text(name);
-    return format && text_begin(&stream, format, &job->drawing, &plot->settings->machine, name);
+    const stroke_format_t *format = writer_format(name);
+    return format && stroke_file_begin(&stream, format, &job->drawing, &plot->settings->machine, name);
 }
 
 /* Draws into the drawing, with more memory until it is enough. */
@@ -120,7 +116,7 @@ static int draw(job_t *job, const plot_t *plot, picture_t *picture, watch_t *w) 
         if (err != ERR_FULL) return err;
         if (bytes >= JOB_LENT_MAX) return no_memory(job, bytes);
         bytes = bytes * 2 < JOB_LENT_MAX ? bytes * 2 : JOB_LENT_MAX;
-        if (job->drawing.take) text_restart(&stream);
+        if (job->drawing.take) stroke_file_restart(&stream);
         hooks.generous = true;
     }
 }
@@ -194,7 +190,7 @@ static int draw_page(job_t *job, const plot_t *plot, char **name) {
     is_to_stop = 0;
     if (setjmp(stopped)) {
         is_drawing = 0;
-        if (streams) text_drop(&stream, d);
+        if (streams) stroke_file_drop(&stream, d);
         progress_wipe();
         fprintf(stderr, "ridgeline: stopped; nothing was written\n");
         return job->trouble = ERR_STOPPED;
@@ -202,7 +198,7 @@ static int draw_page(job_t *job, const plot_t *plot, char **name) {
     is_drawing = 1;
     int err = draw(job, plot, &picture, &watch);
     is_drawing = 0;
-    if (err && streams) text_drop(&stream, d);
+    if (err && streams) stroke_file_drop(&stream, d);
     if (err) return err;
 
     job->pages++;
@@ -213,7 +209,7 @@ static int draw_page(job_t *job, const plot_t *plot, char **name) {
     report_t r = {.page = job->pages, .name = job->name, .title = d->title, .file = (const char *const *)name};
     double start = progress_now();
     if (streams) {
-        err = text_end(&stream, d);
+        err = stroke_file_end(&stream, d);
         if (err) return cannot_write(job, &settings->machine, name[0], err);
     } else {
         err = write_outputs(job, &settings->machine, name);

@@ -16,24 +16,24 @@ static void begin(out_t *o) {
 
 int out_open(out_t *o, const char *path) {
     begin(o);
-    return target_open(&o->target, path);
+    return atomic_file_open(&o->file, path);
 }
 
 bool out_open_unnamed(out_t *o, const char *path) {
     begin(o);
-    return target_open_unnamed(&o->target, path);
+    return atomic_file_open_unnamed(&o->file, path);
 }
 
 void out_restart(out_t *o) {
     begin(o);
-    if (!target_restart(&o->target)) o->trouble = errno;
+    if (!atomic_file_restart(&o->file)) o->trouble = errno;
 }
 
 static void put(out_t *o, size_t size) {
     const char *p = o->buffer;
     size_t left = size;
     while (left && !o->trouble) {
-        const ssize_t n = write(o->target.fd, p, left);
+        const ssize_t n = write(o->file.fd, p, left);
         if (n > 0) {
             p += n;
             left -= (size_t)n;
@@ -48,21 +48,21 @@ static void put(out_t *o, size_t size) {
 int out_close(out_t *o) {
     put(o, o->used);
     if (o->trouble) {
-        target_drop(&o->target);
+        atomic_file_drop(&o->file);
         errno = o->trouble;
         return ERR_FILE;
     }
-    return target_keep(&o->target, o->written);
+    return atomic_file_keep(&o->file, o->written);
 }
 
 void out_drop(out_t *o) {
-    target_drop(&o->target);
+    atomic_file_drop(&o->file);
 }
 
 /* Whole pages go: of a page that is written in part the system might have to read the rest. */
 void out_make_room(out_t *o) {
     const size_t whole = o->used / OUT_PAGE * OUT_PAGE;
-    target_ahead(&o->target, o->written + (off_t)whole);
+    atomic_file_ahead(&o->file, o->written + (off_t)whole);
     put(o, whole);
     memmove(o->buffer, o->buffer + whole, o->used);
 }

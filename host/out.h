@@ -1,7 +1,7 @@
 /* out.h - a file written fast: one buffer, and numbers formatted by table instead of by printf.
  *
  * A drawing of a million lines is a few million numbers; fprintf takes 150 ns for each, these calls some 2.
- * Errors are remembered and reported once, by out_close. A file is there when it is whole (host/target.h). */
+ * Errors are remembered and reported once, by out_close. A file is there when it is whole (host/atomic_file.h). */
 #ifndef OUT_H
 #define OUT_H
 
@@ -10,8 +10,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "host/atomic_file.h"
 #include "host/digits.h"
-#include "host/target.h"
 #include "view/page.h"
 
 #define OUT_BUFFER ((size_t)256 << 10)
@@ -20,7 +20,7 @@
 
 /* Large: not for the stack. */
 typedef struct out {
-    target_t target;
+    atomic_file_t file;
     int trouble; /* errno of what failed first, or 0 */
     size_t used;
     off_t written;

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "error.h"
+#include "host/huge_pages.h"
 #include "host/progress.h"
 #include "host/solid_file.h"
 
@@ -23,7 +24,6 @@ enum { FILES_MAX = 16 };
 #define DATA_BYTES_MAX ((size_t)8 << 30)
 #define DATA_BYTES_MIN ((size_t)1 << 20)
 
-#define HUGE_PAGE ((size_t)2 << 20)
 #define LARGE_FILE ((off_t)4 << 20)
 #define BYTES_PER_CHARACTER 4 /* of data, at the most: a number has a digit and a blank */
 
@@ -135,17 +135,13 @@ static FILE *open_file(const char *name) {
 
 /* What is read from a large file takes huge pages: to touch it by small ones takes a fortieth of a plot's time. */
 static void expect_data(off_t file_bytes) {
-#ifdef MADV_HUGEPAGE
     const session_t *s = &script.session;
     const size_t from = (s->pool.low * sizeof(packed_t) + HUGE_PAGE - 1) / HUGE_PAGE * HUGE_PAGE;
     if (file_bytes < LARGE_FILE || from >= script.data_bytes) return;
     const size_t left = script.data_bytes - from;
     const size_t most =
         (uintmax_t)file_bytes < left / BYTES_PER_CHARACTER ? (size_t)file_bytes * BYTES_PER_CHARACTER : left;
-    madvise(script.data + from, most, MADV_HUGEPAGE);
-#else
-    (void)file_bytes;
-#endif
+    huge_pages_ask(script.data + from, most);
 }
 
 static int open_as(const char *name, bool binary) {

@@ -10,8 +10,8 @@
 #ifndef SEG_H
 #define SEG_H
 
-#include "host/text.h"
+#include "host/stroke_file.h"
 
-extern const text_format_t SEG_FORMAT;
+extern const stroke_format_t SEG_FORMAT;
 
 #endif

@@ -18,20 +18,20 @@ static char *put_point(char *p, page_point_t at, int32_t height_lat) {
     return out_put_mm3(p, height_lat - at.y_lat);
 }
 
-static void stroke(text_t *t, const page_point_t *point, size_t n) {
-    const int32_t height_lat = (int32_t)((int64_t)t->drawing->height_um * LAT_PER_MM / 1000);
-    out_text(&t->out, "<path d=\"M");
+static void stroke(stroke_file_t *f, const page_point_t *point, size_t n) {
+    const int32_t height_lat = (int32_t)((int64_t)f->drawing->height_um * LAT_PER_MM / 1000);
+    out_text(&f->out, "<path d=\"M");
     for (size_t i = 0; i < n; i++) {
-        char *p = out_reserve(&t->out, 2 * OUT_NUMBER_MAX + 2);
+        char *p = out_reserve(&f->out, 2 * OUT_NUMBER_MAX + 2);
         if (i) *p++ = i == 1 ? 'L' : ' ';
-        out_commit(&t->out, put_point(p, point[i], height_lat));
+        out_commit(&f->out, put_point(p, point[i], height_lat));
     }
-    out_text(&t->out, "\"/>\n");
+    out_text(&f->out, "\"/>\n");
 }
 
-static void head(text_t *t) {
-    const drawing_t *d = t->drawing;
-    out_t *o = &t->out;
+static void head(stroke_file_t *f) {
+    const drawing_t *d = f->drawing;
+    out_t *o = &f->out;
     const double width = d->width_um / 1000.0, height = d->height_um / 1000.0;
     out_format(
         o,
@@ -51,16 +51,16 @@ static void head(text_t *t) {
 }
 
 /* A layer for each pen, if there are several. */
-static void take_pen(text_t *t, int pen) {
-    if (!drawing_has_pens(t->drawing)) return;
-    if (t->pen) out_text(&t->out, "</g>\n");
-    out_format(&t->out, "<g id=\"pen%d\" inkscape:groupmode=\"layer\" inkscape:label=\"pen %d\" stroke=\"#%06x\">\n",
+static void take_pen(stroke_file_t *f, int pen) {
+    if (!drawing_has_pens(f->drawing)) return;
+    if (f->pen) out_text(&f->out, "</g>\n");
+    out_format(&f->out, "<g id=\"pen%d\" inkscape:groupmode=\"layer\" inkscape:label=\"pen %d\" stroke=\"#%06x\">\n",
                pen, pen, drawing_colour(pen));
 }
 
-static void tail(text_t *t) {
-    if (t->pen && drawing_has_pens(t->drawing)) out_text(&t->out, "</g>\n");
-    out_text(&t->out, "</g>\n</svg>\n");
+static void tail(stroke_file_t *f) {
+    if (f->pen && drawing_has_pens(f->drawing)) out_text(&f->out, "</g>\n");
+    out_text(&f->out, "</g>\n</svg>\n");
 }
 
-const text_format_t SVG_FORMAT = {0, head, take_pen, stroke, tail};
+const stroke_format_t SVG_FORMAT = {0, head, take_pen, stroke, tail};

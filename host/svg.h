@@ -7,8 +7,8 @@
 #ifndef SVG_H
 #define SVG_H
 
-#include "host/text.h"
+#include "host/stroke_file.h"
 
-extern const text_format_t SVG_FORMAT;
+extern const stroke_format_t SVG_FORMAT;
 
 #endif

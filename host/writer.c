@@ -15,15 +15,15 @@
 
 typedef struct writer {
     const char *suffix;
-    const text_format_t *text; /* one of the three */
+    const stroke_format_t *format; /* one of the three */
     int (*write)(const drawing_t *d, const char *path);
     int (*write_for)(const drawing_t *d, const machine_t *machine, const char *path);
 } writer_t;
 
 static const writer_t WRITERS[] = {
-    {".svg", .text = &SVG_FORMAT},     {".png", .write = image_write_png},       {".pdf", .write = image_write_pdf},
-    {".seg", .text = &SEG_FORMAT},     {".hpgl", .text = &HPGL_FORMAT},          {".plt", .text = &HPGL_FORMAT},
-    {".gcode", .text = &GCODE_FORMAT}, {".vcd", .write_for = plotter_write_vcd},
+    {".svg", .format = &SVG_FORMAT},     {".png", .write = image_write_png},       {".pdf", .write = image_write_pdf},
+    {".seg", .format = &SEG_FORMAT},     {".hpgl", .format = &HPGL_FORMAT},        {".plt", .format = &HPGL_FORMAT},
+    {".gcode", .format = &GCODE_FORMAT}, {".vcd", .write_for = plotter_write_vcd},
 };
 
 /* Where the suffix of the last part of the path begins, or its end. */
@@ -46,13 +46,13 @@ bool writer_knows(const char *path) {
 int writer_write(const drawing_t *d, const machine_t *machine, const char *path) {
     const writer_t *w = find(path);
     if (!w) return ERR_VALUE;
-    if (w->text) return text_write(w->text, d, machine, path);
+    if (w->format) return stroke_file_write(w->format, d, machine, path);
     return w->write ? w->write(d, path) : w->write_for(d, machine, path);
 }
 
-const text_format_t *writer_text(const char *path) {
+const stroke_format_t *writer_format(const char *path) {
     const writer_t *w = find(path);
-    return w ? w->text : NULL;
+    return w ? w->format : NULL;
 }
 
 bool writer_page_name(char *name, size_t room, const char *path, int page) {

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "host/text.h"
+#include "host/stroke_file.h"
 
 /* For messages: ".svg .png ...". */
 #define WRITER_SUFFIXES ".svg .png .pdf .vcd .seg .hpgl .plt .gcode"
@@ -16,7 +16,7 @@ bool writer_knows(const char *path);
  * 0, ERR_VALUE for an unknown suffix, ERR_FILE with errno set, or what the simulated plotter reports. */
 int writer_write(const drawing_t *d, const machine_t *machine, const char *path);
 /* The format of path, if it is text and can be written while it is drawn; or NULL. */
-const text_format_t *writer_text(const char *path);
+const stroke_format_t *writer_format(const char *path);
 /* The name of page 1, 2, ...: a.svg, a-2.svg, a-3.svg. False when it does not fit into room bytes. */
 bool writer_page_name(char *name, size_t room, const char *path, int page);
 

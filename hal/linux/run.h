@@ -3,8 +3,8 @@
  * Ways to end before the end: a signal (brakes along the path, then pen up and motors off; the second one at once), a
  * limit switch or the emergency stop (at once, within one step), a line that cannot be written or read any more. Each
  * says where the pen stood, counted at the pins. */
-#ifndef RUN_H
-#define RUN_H
+#ifndef LINUX_RUN_H
+#define LINUX_RUN_H
 
 #include "hal/linux/port.h"
 #include "host/drawing.h"

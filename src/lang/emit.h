@@ -5,8 +5,8 @@
  * become real, x*x becomes x**2, and a division by 2, 4, ... a multiplication.
  *
  * Code that does not fit is counted and not written: emit_is_full says so, and the caller gives up. */
-#ifndef EMIT_H
-#define EMIT_H
+#ifndef LANG_EMIT_H
+#define LANG_EMIT_H
 
 #include "lang/code.h"
 #include "lang/names.h"

@@ -3,8 +3,8 @@
  * On a rough surface one facet in two is, which cannot be guessed: asked one by one, each answer is a branch that goes
  * wrong half the time. Here 64 are asked without a branch, and only the others have a turn. Horizons only rise, so what
  * was said of a facet still holds when its turn would come. For perimeter.c, where nothing else is done with facets. */
-#ifndef AHEAD_H
-#define AHEAD_H
+#ifndef SURFACE_AHEAD_H
+#define SURFACE_AHEAD_H
 
 #include "hidden/surface/corner.h"
 

@@ -1,7 +1,7 @@
-/* target.c - an unnamed file gets a name by its place in /proc; where a file has the name already, another name first,
- * which then takes the place of the old one in one step. */
+/* atomic_file.c - an unnamed file gets a name by its place in /proc; where a file has the name already, another name
+ * first, which then takes the place of the old one in one step. */
 #define _GNU_SOURCE /* unnamed files, fallocate */
-#include "host/target.h"
+#include "host/atomic_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -42,14 +42,14 @@ static bool take_over_rights(int fd, const struct stat *old) {
     return ((s.st_mode ^ old->st_mode) & 07777) == 0 || fchmod(fd, old->st_mode & 07777) == 0;
 }
 
-bool target_open_unnamed(target_t *t, const char *path) {
+bool atomic_file_open_unnamed(atomic_file_t *t, const char *path) {
     struct stat old;
     const bool is_there = lstat(path, &old) == 0;
     if (is_there ? !can_be_replaced(path, &old) : errno != ENOENT) return false;
-    *t = (target_t){.path = path, .fd = open_beside(path), .is_unnamed = true, .is_new = !is_there};
+    *t = (atomic_file_t){.path = path, .fd = open_beside(path), .is_unnamed = true, .is_new = !is_there};
     if (t->fd < 0) return false;
     if (is_there && !take_over_rights(t->fd, &old)) {
-        target_drop(t);
+        atomic_file_drop(t);
         return false;
     }
     t->asks_ahead = true;
@@ -60,11 +60,11 @@ static int open_in_place(const char *path) {
     return open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
 }
 
-int target_open(target_t *t, const char *path) {
-    if (target_open_unnamed(t, path)) return 0;
+int atomic_file_open(atomic_file_t *t, const char *path) {
+    if (atomic_file_open_unnamed(t, path)) return 0;
     struct stat old; /* a link counts, though what it leads to may be new */
     const bool is_there = lstat(path, &old) == 0;
-    *t = (target_t){.path = path, .fd = open_in_place(path), .is_new = !is_there};
+    *t = (atomic_file_t){.path = path, .fd = open_in_place(path), .is_new = !is_there};
     return t->fd < 0 ? ERR_FILE : 0;
 }
 
@@ -73,14 +73,14 @@ static bool is_tmpfs(int fd) {
     return fstatfs(fd, &system) == 0 && system.f_type == TMPFS;
 }
 
-void target_ahead(target_t *t, off_t end) {
+void atomic_file_ahead(atomic_file_t *t, off_t end) {
     if (!t->asks_ahead || end <= t->ahead) return;
     const off_t more = (end - t->ahead + AHEAD - 1) / AHEAD * AHEAD;
     t->asks_ahead = (t->ahead > 0 || !is_tmpfs(t->fd)) && fallocate(t->fd, 0, t->ahead, more) == 0;
     t->ahead += more; /* where it fails, the file may have become longer all the same, and writing may yet do */
 }
 
-bool target_restart(target_t *t) {
+bool atomic_file_restart(atomic_file_t *t) {
     t->ahead = 0;
     return lseek(t->fd, 0, SEEK_SET) == 0 && ftruncate(t->fd, 0) == 0;
 }
@@ -103,7 +103,7 @@ static bool change_places(const char *name, const char *path) {
     return false;
 }
 
-static bool replace(const target_t *t) {
+static bool replace(const atomic_file_t *t) {
     char name[PATH_MAX];
     for (int k = 0; k < NAMES_TRIED; k++) {
         const int n = snprintf(name, sizeof name, "%s.%ld-%d", t->path, (long)getpid(), k);
@@ -115,7 +115,7 @@ static bool replace(const target_t *t) {
 }
 
 /* There is no other way: what is mounted at a name of its own, for example, cannot be replaced. */
-static bool copy_in_place(const target_t *t, off_t length) {
+static bool copy_in_place(const atomic_file_t *t, off_t length) {
     off_t at = 0;
     const int to = open_in_place(t->path);
     if (to < 0) return false;
@@ -126,7 +126,7 @@ static bool copy_in_place(const target_t *t, off_t length) {
     return close(to) == 0 && at == length;
 }
 
-int target_keep(target_t *t, off_t length) {
+int atomic_file_keep(atomic_file_t *t, off_t length) {
     bool good = true;
     if (t->is_unnamed) {
         good = t->ahead <= length || ftruncate(t->fd, length) == 0;
@@ -138,7 +138,7 @@ int target_keep(target_t *t, off_t length) {
     return good ? 0 : ERR_FILE;
 }
 
-void target_drop(target_t *t) {
+void atomic_file_drop(atomic_file_t *t) {
     const int trouble = errno;
     if (!t->is_unnamed && ftruncate(t->fd, 0) == 0 && t->is_new) unlink(t->path);
     close(t->fd);

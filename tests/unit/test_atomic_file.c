@@ -1,4 +1,4 @@
-/* test_target.c - a file is the old one or the new one, whatever happens in between. */
+/* test_atomic_file.c - a file is the old one or the new one, whatever happens in between. */
 #include <errno.h>
 #include <fcntl.h>
 #include <setjmp.h>
@@ -64,7 +64,7 @@ static void nothing_is_there_before_all_is(void **state) {
     umask(027);
     assert_int_equal(out_open(&out, "a"), 0);
     out_text(&out, "new");
-    const bool unnamed = out.target.is_unnamed;
+    const bool unnamed = out.file.is_unnamed;
     expect_files(unnamed ? 0 : 1);
     assert_int_equal(out_close(&out), 0);
     expect_file("a", "new");
@@ -106,7 +106,7 @@ static void what_cannot_be_written_is_not_lost(void **state) {
     signal(SIGXFSZ, SIG_IGN);
     assert_int_equal(setrlimit(RLIMIT_FSIZE, &little), 0);
     assert_int_equal(out_open(&out, "a"), 0);
-    const bool unnamed = out.target.is_unnamed;
+    const bool unnamed = out.file.is_unnamed;
     for (int k = 0; k < 200000; k++) out_text(&out, "again ");
     const int err = out_close(&out), why = errno;
     assert_int_equal(setrlimit(RLIMIT_FSIZE, &usual), 0);
