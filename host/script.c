@@ -3,22 +3,18 @@
 #include "host/script.h"
 
 #include <errno.h>
-#include <limits.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
 #include "error.h"
 #include "host/huge_pages.h"
 #include "host/progress.h"
-#include "host/solid_file.h"
-
-enum { FILES_MAX = 16 };
+#include "host/scene_files.h"
 
 /* Address space for data, of which only the pages that are written to become memory. */
 #define DATA_BYTES_MAX ((size_t)8 << 30)
@@ -27,24 +23,11 @@ enum { FILES_MAX = 16 };
 #define LARGE_FILE ((off_t)4 << 20)
 #define BYTES_PER_CHARACTER 4 /* of data, at the most: a number has a digit and a blank */
 
-/* A data block. */
-typedef struct block {
-    struct block *next;
-    char name[40];
-    char *text;
-    size_t len, room;
-} block_t;
-
 static struct {
     session_t session;
     job_t *job;
     bool waits;
-    char folder[PATH_MAX]; /* of the scene, with its slash, or empty */
-    FILE *file[FILES_MAX];
-    off_t size[FILES_MAX], done[FILES_MAX]; /* of files: bytes; 0 if nobody knows */
-    bool binary[FILES_MAX];                 /* nothing in it ends a line */
-    block_t *block;                         /* all of them */
-    char *data;                             /* the session's memory for data */
+    char *data; /* the session's memory for data */
     size_t data_bytes;
 } script;
 
@@ -77,62 +60,6 @@ static int stopped(void) {
     return script.job->trouble = ERR_STOPPED;
 }
 
-static block_t *find_block(const char *name) {
-    block_t *b = script.block;
-    while (b && strcmp(b->name, name) != 0) b = b->next;
-    return b;
-}
-
-static void forget_blocks(const char *name, bool begins) {
-    for (block_t **at = &script.block; *at;) {
-        block_t *b = *at;
-        if (begins ? strncmp(b->name, name, strlen(name)) != 0 : strcmp(b->name, name) != 0) {
-            at = &b->next;
-            continue;
-        }
-        *at = b->next;
-        free(b->text);
-        free(b);
-    }
-}
-
-static int port_keep(void *ctx, const char *name, const char *text, size_t n) {
-    (void)ctx;
-    if (!text && n > 0) {
-        forget_blocks(name, n == 2);
-        return 0;
-    }
-    block_t *b = find_block(name);
-    if (!b) {
-        b = calloc(1, sizeof *b);
-        if (!b) return ERR_FULL;
-        snprintf(b->name, sizeof b->name, "%s", name);
-        b->next = script.block;
-        script.block = b;
-    }
-    if (!text) b->len = 0;
-    if (b->len + n >= b->room) {
-        const size_t room = 2 * (b->len + n) + 256;
-        char *more = realloc(b->text, room);
-        if (!more) return ERR_FULL;
-        b->text = more;
-        b->room = room;
-    }
-    if (text) memcpy(b->text + b->len, text, n);
-    b->len += text ? n : 0;
-    return 0;
-}
-
-static FILE *open_file(const char *name) {
-    const block_t *b = name[0] == '$' ? find_block(name) : NULL;
-    if (!b) return fopen(name, "rb");
-    if (b->len == 0) return fopen("/dev/null", "rb");
-    FILE *copy = fmemopen(NULL, b->len + 1, "w+"); /* the block may change while it is read */
-    if (!copy) return NULL;
-    if (fwrite(b->text, 1, b->len, copy) == b->len) rewind(copy);
-    return copy;
-}
-
 /* What is read from a large file takes huge pages: to touch it by small ones takes a fortieth of a plot's time. */
 static void expect_data(off_t file_bytes) {
     const session_t *s = &script.session;
@@ -144,61 +71,35 @@ static void expect_data(off_t file_bytes) {
     huge_pages_ask(script.data + from, most);
 }
 
-static int open_as(const char *name, bool binary) {
-    int handle = 0;
-    while (handle < FILES_MAX && script.file[handle]) handle++;
-    if (handle == FILES_MAX) return ERR_FULL;
-    FILE *f = open_file(name);
-    if (!f && name[0] != '/' && script.folder[0]) {
-        char path[PATH_MAX];
-        int n = snprintf(path, sizeof path, "%s%s", script.folder, name);
-        if (n > 0 && (size_t)n < sizeof path) f = fopen(path, "rb");
-    }
-    if (!f) return ERR_FILE;
-    if (solid_file_is(name) && !binary) f = solid_file_open(f, name);
-    if (!f) return ERR_DATA;
-    setvbuf(f, NULL, _IOFBF, CONFIG_READ_CHUNK / 8); /* larger pieces are read where they are wanted */
-    struct stat about;
-    script.file[handle] = f;
-    script.binary[handle] = binary;
-    script.size[handle] = fileno(f) >= 0 && fstat(fileno(f), &about) == 0 && S_ISREG(about.st_mode) ? about.st_size : 0;
-    script.done[handle] = 0;
-    expect_data(script.size[handle]);
-    progress_begin();
+static int open_file(const char *name, bool binary) {
+    const int handle = scene_files_open(name, binary);
+    if (handle >= 0) expect_data(scene_files_size(handle));
     return handle;
 }
 
 static int port_open(void *ctx, const char *name) {
     (void)ctx;
-    return open_as(name, false);
+    return open_file(name, false);
 }
 
 static int port_open_binary(void *ctx, const char *name) {
     (void)ctx;
-    return open_as(name, true);
+    return open_file(name, true);
 }
 
 static int port_read(void *ctx, int handle, char *buf, int size) {
     (void)ctx;
-    FILE *f = script.file[handle];
-    if (is_to_stop) return stopped();
-    size_t n = fread(buf, 1, (size_t)size, f);
-    script.done[handle] += (off_t)n;
-    if (script.size[handle]) progress_update("reading", script.done[handle], script.size[handle]);
-    for (char *cr = buf, *end = buf + (script.binary[handle] ? 0 : n);
-         (cr = memchr(cr, '\r', (size_t)(end - cr))) != NULL; cr++) {
-        const int next = cr + 1 < end ? cr[1] : fgetc(f);
-        if (cr + 1 == end && next != EOF) ungetc(next, f);
-        if (next != '\n') *cr = '\n'; /* lines may end with CR alone */
-    }
-    return n == 0 && ferror(f) ? ERR_FILE : (int)n;
+    return is_to_stop ? stopped() : scene_files_read(handle, buf, size);
 }
 
 static void port_close(void *ctx, int handle) {
     (void)ctx;
-    progress_wipe();
-    fclose(script.file[handle]);
-    script.file[handle] = NULL;
+    scene_files_close(handle);
+}
+
+static int port_keep(void *ctx, const char *name, const char *text, size_t n) {
+    (void)ctx;
+    return scene_files_keep(name, text, n);
 }
 
 static int64_t now_ns(void) {
@@ -299,16 +200,8 @@ enum session_state script_state(void) {
     return session_state(&script.session);
 }
 
-static void remember_folder(const char *name) {
-    const char *slash = strrchr(name, '/');
-    size_t n = slash ? (size_t)(slash - name) + 1 : 0;
-    if (n >= sizeof script.folder) n = 0;
-    memcpy(script.folder, name, n);
-    script.folder[n] = 0;
-}
-
 int script_file(FILE *f, const char *name) {
-    remember_folder(name);
+    scene_files_are_beside(name);
     script_source(name);
     char *line = NULL;
     size_t room = 0;
