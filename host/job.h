@@ -12,7 +12,11 @@
 #include "host/gpio.h"
 #include "host/report.h"
 
+#if SIZE_MAX > UINT32_MAX
 #define JOB_LENT_MAX ((size_t)4 << 30)
+#else
+#define JOB_LENT_MAX ((size_t)1 << 30)
+#endif
 #define JOB_OUTPUTS_MAX 16
 
 typedef struct job {

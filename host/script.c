@@ -17,8 +17,13 @@
 #include "host/scene_files.h"
 
 /* Address space for data, of which only the pages that are written to become memory. */
+#if SIZE_MAX > UINT32_MAX
 #define DATA_BYTES_MAX ((size_t)8 << 30)
+#else
+#define DATA_BYTES_MAX ((size_t)512 << 20)
+#endif
 #define DATA_BYTES_MIN ((size_t)1 << 20)
+_Static_assert(DATA_BYTES_MAX >= DATA_BYTES_MIN, "for a size_t of 32 bits, too");
 
 #define LARGE_FILE ((off_t)4 << 20)
 #define BYTES_PER_CHARACTER 4 /* of data, at the most: a number has a digit and a blank */
@@ -120,7 +125,7 @@ static void wait_for_input(int32_t ms) {
     for (int ready = -1; ready < 0 && !is_to_stop;) {
         const int64_t left = ms < 0 ? 0 : end - now_ns();
         if (left < 0) break;
-        const struct timespec t = {.tv_sec = left / 1000000000, .tv_nsec = left % 1000000000};
+        const struct timespec t = {.tv_sec = (time_t)(left / 1000000000), .tv_nsec = (long)(left % 1000000000)};
         ready = ppoll(&in, ms < 0, ms < 0 ? NULL : &t, &usual);
         if (ready < 0 && errno != EINTR) break;
     }
@@ -153,7 +158,7 @@ static int port_plot(void *ctx, const plot_t *plot) {
 
 /* The largest area that the system lets us reserve; nothing when it is strict about memory. */
 static void *reserve(size_t *bytes) {
-    for (*bytes = sizeof(void *) < 8 ? DATA_BYTES_MAX >> 4 : DATA_BYTES_MAX; *bytes >= DATA_BYTES_MIN; *bytes /= 2) {
+    for (*bytes = DATA_BYTES_MAX; *bytes >= DATA_BYTES_MIN; *bytes /= 2) {
         void *p = mmap(NULL, *bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
         if (p != MAP_FAILED) return p;
     }

@@ -119,7 +119,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         spec.first_point = data[2] >> 5 & 1;
     }
     spec.flat = data[0] & 128 && spec.format == DATA_ROWS && spec.parts < 3;
-    const size_t chunk = data[3] & 128 ? 1 + data[3] % 32 : 40 + 40 * (size_t)data[3];
+    const size_t chunk = data[3] & 128 ? 1 + (size_t)data[3] % 32 : 40 + 40 * (size_t)data[3];
     const int err = feed_both(&spec, data[0] & 64, room, data + 4, size - 4, chunk);
     if (err) {
         if (reader.trouble == DATA_OK || !data_grid_text(reader.trouble) || reader.line < 1) abort();
