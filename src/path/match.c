@@ -112,7 +112,7 @@ static inline int32_t far_end(const int32_t *mate, int32_t e) {
 
 /* The stroke entered at e has the place k in the order. Returns 1 if it is not plain, else 0. */
 static inline int32_t put_stroke(const places_t *p, tour_t *t, int32_t k, int32_t e) {
-    const bool plain = chain_is_plain(p->chain, e >> 1) & (p->chain->pool->mate[pool_other_end(e)] < 0);
+    const bool ends = p->chain->pool->mate[pool_other_end(e)] < 0, plain = ends & (int)chain_is_plain(p->chain, e >> 1);
     t->order[k] = e | (plain ? TOUR_PLAIN : 0);
     return !plain;
 }

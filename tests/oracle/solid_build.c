@@ -94,7 +94,7 @@ double solid_scene_clearance(const solid_ref_t *r, const exact_point_t *p) {
     return least;
 }
 
-static exact_point_t eye_of(const solid_ref_t *r, int kind) {
+static exact_point_t eye_of(const solid_ref_t *r, enum solid_eye_place kind) {
     if (kind <= FROM_LINE) return among_corners(r, kind == FROM_LINE);
     if (kind == FROM_ANYWHERE)
         return (exact_point_t){solid_build_uniform(-6, 6), solid_build_uniform(-6, 6), solid_build_uniform(-6, 6)};
