@@ -63,7 +63,7 @@ typedef struct picture_hooks {
     bool measured; /* p is as picture_measure or picture_try left it with this plot, and nobody used the memory since:
                     * one surface is not measured again, unless its cache would lie elsewhere */
     bool only_measure; /* picture_measure's */
-    bool generous;     /* hiding a surface had too little of a large block before: it gets its whole share */
+    bool generous;     /* the memory was too little before: what had a small part of it gets more */
     int32_t waiting;   /* pieces of ink that may wait for a kernel's pause (path/waiting.h); 0: it need not pause */
     const path_feed_t *feed; /* draw while the picture is still being computed; or NULL */
 } picture_hooks_t;

@@ -351,7 +351,8 @@ static int find_what_coincides(picture_t *p, once_t *once) {
     const settings_t *set = p->plot->settings;
     const bool away =
         set->dashed || set->hidden == HIDDEN_NONE || set->hidden == HIDDEN_HALO || set->hidden == HIDDEN_AREA;
-    int err = mem ? once_build(once, &p->solid_map, away, mem, bytes) : ERR_FULL;
+    const bool plenty = p->hooks && p->hooks->generous;
+    int err = mem ? once_build(once, &p->solid_map, away, plenty, mem, bytes) : ERR_FULL;
     p->arena = before;
     if (err || once->bytes == 0) return err;
     meshes_t m;

@@ -107,7 +107,7 @@ static int bench(const char *name, int k, solid_ref_t *body) {
         t[2] = now();
         if (!err) err = solid_map_setup(&map, &solid, &cam, place);
         t[3] = now();
-        if (!err) err = once_build(&once, &map, false, kernel, more);
+        if (!err) err = once_build(&once, &map, false, false, kernel, more);
         t[4] = now();
         const ink_sink_t seen = once_seen(&once, sink);
         const hidden_job_t job = {.mem = (char *)kernel + once.bytes, .bytes = more - once.bytes, .sink = &seen};

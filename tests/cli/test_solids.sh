@@ -315,7 +315,22 @@ thousands_of_concave_parts() {
     done
 }
 
-run_tests a_surface_of_facets_is_the_surface formats_are_the_same_body a_binary_stl_is_read what_is_wrong_is_said damaged_files \
+# Two long boards, flush in part of an edge, behind 39 posts: of lines that coincide each has 40 visible parts.
+what_coincides_behind_a_fence() {
+    awk 'function bar(x, y, z, a, b, c,   k) {
+             for (k = 0; k < 8; k++) print "v", x + a * (k % 2), y + b * (int(k / 2) % 2), z + c * int(k / 4)
+             print "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3" }
+         BEGIN { bar(0, 0, 0, 40, 1, 1); bar(-1, 0, 1, 42, 1, 1)
+                 for (k = 0; k < 39; k++) bar(k + .4 + k % 3 / 10, -3 - k / 50, -3 - k / 70, .3 + k / 200, .2 + k / 300, 8 + k / 30) }' >fence.obj
+    for mode in 'offset 0' halo dashed area; do
+        printf "set view 70,10\nset hidden3d $mode\nsplot 'fence.obj'\n" >"a.gp"
+        ours a.gp "${mode% 0}.seg" 2>/dev/null
+    done
+    near "$(ink offset.seg)" "$(ink area.seg)"
+    echo "# behind a fence: $(ink offset.seg) mm, with haloes $(ink halo.seg), dashed $(ink dashed.seg)"
+}
+
+run_tests what_coincides_behind_a_fence a_surface_of_facets_is_the_surface formats_are_the_same_body a_binary_stl_is_read what_is_wrong_is_said damaged_files \
     rows_as_they_are_typed hidden_parts_are_dashed what_falls_together_is_drawn_once an_outline_is_closed \
     bodies_that_meet_have_seams thousands_of_concave_parts lines_and_lengths words_that_change_nothing_are_told smooth_twice \
     close_to_the_eye cells_that_are_not_flat

@@ -41,7 +41,7 @@ static int check(void *ctx, const ink_piece_t *p) {
 static void draw_once(solid_map_t *m, void *mem, size_t bytes) {
     once_t once;
     hidden_stats_t stats;
-    if (once_build(&once, m, true, mem, bytes)) return;
+    if (once_build(&once, m, true, bytes & 1024, mem, bytes)) return;
     cut_t cut[2] = {{&m->lines, once_seen(&once, (ink_sink_t){m, check})},
                     {&m->lines, once_dashed(&once, (ink_sink_t){m, check})}};
     const ink_sink_t sink = cut_sink(&cut[0]), other = cut_sink(&cut[1]);

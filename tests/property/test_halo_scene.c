@@ -15,7 +15,7 @@
 #include "tests/oracle/halo_page.h"
 #include "tests/oracle/num_of.h"
 #include "tests/oracle/run_cases.h"
-#include "tests/oracle/solid_scenes.h"
+#include "tests/oracle/solid_cases.h"
 
 #define LINES 1000
 #define GRIDS 2
@@ -115,8 +115,8 @@ static void make_grids(now_t *s, uint64_t *rng) {
     }
 }
 
-static void make_solids(now_t *s, uint64_t seed) {
-    solid_scene_random(&s->solids, seed, 4);
+static void make_solids(now_t *s, solid_make_t make, uint64_t seed) {
+    make(&s->solids, seed, 4);
     s->set = s->solids.set;
     solid_scene_mesh(&s->solids.ref, &s->mesh);
     s->item[0].mesh = s->mesh;
@@ -127,40 +127,45 @@ static void make_solids(now_t *s, uint64_t seed) {
 }
 
 /* Draws and judges one scene; *seen: it was drawn. */
-static bool run(now_t *s, uint64_t seed, bool solids, halo_page_report_t *r, bool *seen) {
+static bool run(now_t *s, uint64_t seed, solid_make_t make, halo_page_report_t *r, bool *seen) {
     static picture_t picture;
     const size_t bytes = (size_t)1 << 22;
     uint64_t rng = seed;
     *s = (now_t){0};
     settings_default(&s->set);
-    if (solids)
-        make_solids(s, seed);
+    if (make)
+        make_solids(s, make, seed);
     else
         make_grids(s, &rng);
     s->set.hidden = HIDDEN_HALO;
-    s->set.halo_um = 100 + scene_below(&rng, 2500);
-    const picture_hooks_t hooks = {.ctx = s, .begin = on_begin};
+    s->set.halo_um = scene_below(&rng, 4) ? 100 + scene_below(&rng, 2500) : 10 << scene_below(&rng, 13); /* to 41 mm */
+    picture_hooks_t hooks = {.ctx = s, .begin = on_begin};
     const pen_sink_t pen = {s, on_move, on_draw};
     void *mem = malloc(bytes);
-    const int err = picture_draw(&picture, &s->plot, mem, bytes, &pen, &hooks);
+    int err = picture_draw(&picture, &s->plot, mem, bytes, &pen, &hooks);
+    if (err == ERR_FULL) { /* as the desktop does, but for more memory */
+        s->pieces = 0;
+        hooks.generous = true;
+        err = picture_draw(&picture, &s->plot, mem, bytes, &pen, &hooks);
+    }
     free(mem);
     *seen = err == 0 && s->n < LINES;
     if (*seen) *r = halo_page_judge(&s->view, s->line, s->n, s->set.halo_um * 1e-3, s->ink, s->pieces);
-    const bool good = err == ERR_VALUE || err == ERR_EMPTY || (err == 0 && r->missing_mm < .6 && r->false_mm < .6);
+    const bool good = err == ERR_VALUE || err == ERR_EMPTY || (err == 0 && r->missing_mm <= 0 && r->false_mm <= 0);
     if (!good)
         print_message("# FAILED RIDGELINE_SEED=%llu build/tests/property/test_halo_scene\n"
                       "#   %s, %d lines, halo %g mm, %s: error %d, missing %g mm, false %g mm at %g,%g\n",
-                      (unsigned long long)seed, solids ? s->solids.what : "grids", s->n, s->set.halo_um * 1e-3,
+                      (unsigned long long)seed, make ? s->solids.what : "grids", s->n, s->set.halo_um * 1e-3,
                       s->view.eye.h ? "perspective" : "parallel", err, r->missing_mm, r->false_mm, r->x, r->y);
     free(s->ink);
-    if (solids) {
+    if (make) {
         solid_scene_mesh_free(&s->mesh);
         solid_scene_free(&s->solids);
     }
     return good;
 }
 
-static void run_all(const char *name, uint64_t first, uint64_t count, bool solids) {
+static void run_all(const char *name, uint64_t first, uint64_t count, solid_make_t make) {
     static now_t s;
     uint64_t from, to;
     int failed = 0, drawn = 0;
@@ -169,26 +174,41 @@ static void run_all(const char *name, uint64_t first, uint64_t count, bool solid
     for (uint64_t seed = from; seed < to && failed < 10; seed++) {
         halo_page_report_t r = {0};
         bool seen;
-        if (!run(&s, seed, solids, &r, &seen)) failed++;
+        if (!run(&s, seed, make, &r, &seen)) failed++;
         drawn += seen;
         all.checked_mm += r.checked_mm;
         all.gaps_mm += r.gaps_mm;
+        all.missing_mm = fmax(all.missing_mm, r.missing_mm);
+        all.false_mm = fmax(all.false_mm, r.false_mm);
     }
-    print_message("# %s: %d drawings, %.0f m of lines that must be drawn, %.1f m of gaps that must be free\n", name,
-                  drawn, all.checked_mm * 1e-3, all.gaps_mm * 1e-3);
+    print_message(
+        "# %s: %d drawings, %.0f m of lines that must be drawn, %.1f m of gaps that must be free; missing %.2f "
+        "steps, false %.2f\n",
+        name, drawn, all.checked_mm * 1e-3, all.gaps_mm * 1e-3, all.missing_mm / JUDGE_STEP_MM,
+        all.false_mm / JUDGE_STEP_MM);
     assert_int_equal(failed, 0);
 }
 
 static void test_solids(void **state) {
     (void)state;
-    run_all("solids", 0, cases_scaled(400), true);
+    run_all("solids", 0, cases_scaled(400), solid_scene_random);
 }
 static void test_grids(void **state) {
     (void)state;
-    run_all("grids", 1000000000, cases_scaled(400), false);
+    run_all("grids", 1000000000, cases_scaled(400), NULL);
+}
+
+static void test_composed(void **state) {
+    (void)state;
+    run_all("composed", 2000000000, cases_scaled(200), solid_scene_composed);
+}
+static void test_touching(void **state) {
+    (void)state;
+    run_all("touching", 3000000000, cases_scaled(200), solid_scene_touching);
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_solids), cmocka_unit_test(test_grids)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_solids), cmocka_unit_test(test_grids),
+                                       cmocka_unit_test(test_composed), cmocka_unit_test(test_touching)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -41,7 +41,7 @@ static int draw(solid_stage_t *t, enum kernel kernel, once_t *once, page_ink_t i
     size_t bytes = t->bytes, kept = 0;
     int err = 0;
     if (once) {
-        err = once_build(once, &t->map, kernel != PLAIN, mem, bytes);
+        err = once_build(once, &t->map, kernel != PLAIN, false, mem, bytes);
         cut[SEEN].next = once_seen(once, cut[SEEN].next);
         cut[HIDDEN].next = once_dashed(once, cut[HIDDEN].next);
         kept = once->bytes;

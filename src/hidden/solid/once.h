@@ -51,8 +51,10 @@ typedef struct once {
 
 /* Finds out what coincides, in mem (aligned to 8), which lives as long as o. away: will the kernel draw edges of bodies
  * between faces turned from the eye? If not, they are not looked at, which saves a sixth of the time (and if it draws
- * one after all, that passes through). Returns 0 or ERR_FULL. */
-int once_build(once_t *o, const solid_map_t *m, bool away, void *mem, size_t bytes);
+ * one after all, that passes through). Of edges that coincide four visible parts each are kept; where many bodies stand
+ * in front of them there are more, and the sinks end in ERR_FULL. plenty: as many as a quarter of the memory takes.
+ * Returns 0 or ERR_FULL. */
+int once_build(once_t *o, const solid_map_t *m, bool away, bool plenty, void *mem, size_t bytes);
 /* Gives back what it can of the lent memory, up to so many bytes: it keeps room for four pieces of each edge, and where
  * others lack memory two must do. Before the first piece. */
 void once_spare(once_t *o, size_t bytes);

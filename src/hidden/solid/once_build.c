@@ -244,7 +244,7 @@ static int64_t count_cut(const solid_map_t *m) {
     return n;
 }
 
-int once_build(once_t *o, const solid_map_t *m, bool away, void *mem, size_t bytes) {
+int once_build(once_t *o, const solid_map_t *m, bool away, bool plenty, void *mem, size_t bytes) {
     const int32_t ne = m->solid->ne;
     const int64_t points = m->solid->nv + 2 * count_cut(m);
     lent_t lent = {mem, (uint8_t *)mem + bytes};
@@ -276,8 +276,10 @@ int once_build(once_t *o, const solid_map_t *m, bool away, void *mem, size_t byt
     if (grouped == 0) return 0;
     const size_t room = (size_t)(lent.end - after) / sizeof *o->piece;
     o->group = s.parent;
-    const int64_t enough = 4 * grouped + 8;
-    o->n_max = room > (size_t)enough ? (int32_t)enough : (int32_t)room;
+    int64_t enough = 4 * grouped + 8;
+    if (plenty && (int64_t)(room / 4) > enough) enough = (int64_t)(room / 4);
+    if (enough > (int64_t)room) enough = (int64_t)room;
+    o->n_max = enough < INT32_MAX ? (int32_t)enough : INT32_MAX;
     o->n_least = (int32_t)(2 * grouped + 8);
     o->piece = (once_piece_t *)(void *)after;
     o->bytes = ((size_t)(after - (uint8_t *)mem) + (size_t)o->n_max * sizeof *o->piece + 7) & ~(size_t)7;
