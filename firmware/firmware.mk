@@ -21,7 +21,7 @@ $(FWDIR)/$1/%.o: %.c firmware/boards.mk
 	@mkdir -p $$(@D)
 	$$(call say,CC,$1 $$<)
 	$$(Q)$$(compile_$1) -c $$< -o $$@
-$(FWDIR)/$1/pack_texts: firmware/tools/pack_texts.c src/lang/help.c src/config.h src/said.h firmware/boards.mk
+$(FWDIR)/$1/pack_texts: firmware/tools/pack_texts.c src/lang/help_texts.h src/config.h src/said.h firmware/boards.mk
 	@mkdir -p $$(@D)
 	$$(Q)$(CC) -O1 -Wall -Wextra -Wno-missing-braces -Isrc $$(addprefix -D,$$(CONFIG_$1)) $$< -o $$@
 $(FWDIR)/$1/help.h: $(FWDIR)/$1/pack_texts firmware/pairs.txt

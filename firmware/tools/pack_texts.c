@@ -1,14 +1,13 @@
 /* pack_texts.c - what a board says to people, packed: its flash is full.
  *
  *     pack_texts learn SOURCE... >PAIRS       which two bytes one byte may stand for (`make pairs`, now and then)
- *     pack_texts help PAIRS >HEADER           the texts of src/lang/help.c for the board that CONFIG_ tells of
+ *     pack_texts help PAIRS >HEADER           the texts of src/lang/help_texts.h for the board that CONFIG_ tells of
  *     pack_texts source PAIRS SOURCE >SOURCE  the same program with its messages packed
  *
  * Again and again the two bytes that most often stand side by side become one, until there is none left or nothing is
  * won: half of the flash. Messages are the literals in the arguments of the functions below, which all end in one that
  * reads them by said.h, and of SAID. */
-#define HELP_TEXTS_ONLY
-#include "lang/help.c"
+#include "lang/help_texts.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -226,7 +225,7 @@ static void read_pairs(const char *path) {
 static void help(void) {
     put_help();
     pack();
-    printf("/* By firmware/tools/pack_texts.c from src/lang/help.c. */\n");
+    printf("/* By firmware/tools/pack_texts.c from src/lang/help_texts.h. */\n");
     printf("static const struct {\n    const char *pattern;\n} topics[] = {\n");
     for (size_t k = 0; k < TOPICS; k++) printf("    {\"%s\"},\n", topics[k].pattern);
     printf("};\nstatic const char packed[] = {");
