@@ -144,7 +144,7 @@ int compile_operand(compiler_t *c) {
         return lang_error_set(c->err, ERR_UNSUPPORTED, lexer_column(lx), "strings cannot be computed with");
 #endif
     default:
-        return lexer_unexpected(lx, c->err, "invalid expression");
+        return lexer_unexpected(lx, c->err, "a value expected");
     }
     r = compile_open(c, P_PREFIX, prefix, 0);
     lexer_next(lx);

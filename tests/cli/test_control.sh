@@ -104,7 +104,7 @@ do for [i=1:2] { print i } print 2@column 28: the end of the command expected
 MISTAKES
     printf 'a = 1\ndo for [i=1:2] {\n  print i # fine\n  print 1 +\n}\n' >a.gp
     expect_status 2 ours a.gp 2>err
-    expect_text err '"a.gp", line 4, column 12: invalid expression'
+    expect_text err '"a.gp", line 4, column 12: a value expected'
     expect_text err '  print 1 +'
     printf 'if (1) {\n  print 2\n' >a.gp
     expect_status 2 ours a.gp 2>err

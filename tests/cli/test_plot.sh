@@ -312,7 +312,7 @@ zrange [1<*:]; set logscale z@zrange [1:]; set logscale z@splot exp(x)+0.1
     echo 'set zrange [-20<*<-5:5<*<20]; show zrange' | ridgeline plot - >out
     [ "$(cat out)" = 'set zrange [-20<*<-5:5<*<20]' ]
     echo 'set xrange [1<*<]' | expect_status 2 ridgeline plot - 2>err
-    expect_text err 'column 17: invalid expression'
+    expect_text err 'column 17: a value expected'
     echo 'splot x \\ # more' | expect_status 2 ridgeline plot - 2>err
     expect_text err 'column 9: nothing may stand behind a'
 }

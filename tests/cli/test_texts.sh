@@ -65,7 +65,7 @@ base = "d"' ]
 mistakes_are_answered() {
     expect_mistakes <<'END'
 print "a".nobody@column 11: undefined variable: nobody
-print "a".@column 11: invalid expression
+print "a".@column 11: a value expected
 a = "x"; print sprintf("%d")@a value for each % of the format is needed
 print sprintf("%s", 3)@a text for %s is needed
 print sprintf("%q", 3)@a conversion of the format is not supported

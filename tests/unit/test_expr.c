@@ -319,13 +319,13 @@ static void mistakes_are_reported(void **state) {
         int32_t column;
         const char *message;
     } cases[] = {
-        {"", ERR_SYNTAX, 1, "invalid expression"},
-        {"2*", ERR_SYNTAX, 3, "invalid expression"},
-        {"2***3", ERR_SYNTAX, 4, "invalid expression"},
+        {"", ERR_SYNTAX, 1, "a value expected"},
+        {"2*", ERR_SYNTAX, 3, "a value expected"},
+        {"2***3", ERR_SYNTAX, 4, "a value expected"},
         {"(1", ERR_SYNTAX, 3, "')' expected"},
-        {"(1,", ERR_SYNTAX, 4, "invalid expression"},
-        {"()", ERR_SYNTAX, 2, "invalid expression"},
-        {"sin()", ERR_SYNTAX, 5, "invalid expression"},
+        {"(1,", ERR_SYNTAX, 4, "a value expected"},
+        {"()", ERR_SYNTAX, 2, "a value expected"},
+        {"sin()", ERR_SYNTAX, 5, "a value expected"},
         {"sin(1", ERR_SYNTAX, 6, "')' expected"},
         {"sin(1,2)", ERR_SYNTAX, 8, "wrong number of arguments: sin"},
         {"max(1)", ERR_SYNTAX, 6, "wrong number of arguments: max"},
@@ -355,8 +355,8 @@ static void mistakes_are_reported(void **state) {
         {"rand(1e10)", ERR_VALUE, 1, "illegal seed value"},
         {"sin(x)=3", ERR_NAME, 1, "cannot redefine a built-in function: sin"},
         {"f(a,b,c,d,e,f,g,h,i)=a", ERR_FULL, 19, "function has too many parameters (8)"},
-        {"f(x)=", ERR_SYNTAX, 6, "invalid expression"},
-        {"f(x)=x+*2", ERR_SYNTAX, 8, "invalid expression"},
+        {"f(x)=", ERR_SYNTAX, 6, "a value expected"},
+        {"f(x)=x+*2", ERR_SYNTAX, 8, "a value expected"},
         {"a=1/0", ERR_VALUE, 3, "undefined value"},
         {"f(1,2,3,4,5,6,7,8,9)", ERR_FULL, 18, "too many arguments (8)"},
     };
