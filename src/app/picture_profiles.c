@@ -5,6 +5,10 @@
 #include "hidden/surface/horizon.h"
 #include "scene/bilinear.h"
 
+static void measure_tick(void *ctx, int32_t done, int32_t of) {
+    picture_tell(ctx, PICTURE_MEASURE, done, of);
+}
+
 static void hide_tick(void *ctx, int32_t done, int32_t of) {
     const picture_t *p = ctx;
     picture_hidden(ctx, done, of, p->profiles.max_points);
@@ -71,7 +75,7 @@ static void cache_points(picture_t *p) {
     size_t bytes = picture_spare(p, 2);
     arena_t before = p->arena;
     void *mem = arena_take(&p->arena, bytes);
-    size_t used = mem ? profiles_cache_fill(&p->profiles_cache, &p->profiles, mem, bytes) : 0;
+    size_t used = mem ? profiles_cache_fill(&p->profiles_cache, &p->profiles, mem, bytes, measure_tick, p) : 0;
     p->arena = before;
     if (used) arena_take(&p->arena, used); /* the same place, no more than needed */
     p->stats.cache_bytes += used;
@@ -84,7 +88,7 @@ static int draw(picture_t *p, const pen_sink_t *pen) {
     lend(p, true);
     int err = plot->kind != PLOT_SOLIDS ? cut_surface(p) : CONFIG_HALO ? cut_terrain(p) : ERR_UNSUPPORTED;
     if (!err) cache_points(p);
-    if (!err) err = profile_map_measure(&p->profile_map, &p->profiles);
+    if (!err) err = profile_map_measure(&p->profile_map, &p->profiles, measure_tick, p);
     if (!err) err = picture_camera(p, p->profile_map.lo, p->profile_map.hi);
     if (!err) err = profile_map_setup(&p->profile_map, &p->camera);
     if (err) return err;

@@ -12,7 +12,8 @@ static void point(void *ctx, int32_t k, int32_t v, num_t xyz[3]) {
     for (int axis = 0; axis < 3; axis++) xyz[axis] = at[axis];
 }
 
-size_t profiles_cache_fill(profiles_cache_t *c, profiles_t *p, void *mem, size_t bytes) {
+size_t profiles_cache_fill(profiles_cache_t *c, profiles_t *p, void *mem, size_t bytes,
+                           void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx) {
     const size_t vertex_bytes = 3 * sizeof(num_t);
     size_t head = (((size_t)p->count + 1) * sizeof(int32_t) + 15) & ~(size_t)15;
     if (head > bytes) return 0;
@@ -22,6 +23,7 @@ size_t profiles_cache_fill(profiles_cache_t *c, profiles_t *p, void *mem, size_t
     for (int32_t k = 0; k < p->count; k++) {
         int32_t n = p->points(p->ctx, k);
         c->first[k] = (int32_t)used;
+        if (tick) tick(tick_ctx, k, p->count);
         if ((size_t)n > room - used) return 0;
         for (int32_t v = 0; v < n; v++) p->point(p->ctx, k, v, c->xyz + 3 * used++);
     }

@@ -15,7 +15,8 @@ typedef struct profiles_cache {
 
 /* Evaluates all of *p into mem (aligned to 16; the caller's, as c is, until the drawing is done) and makes *p the
  * cache. Returns the bytes used: 48 for each vertex and 4 for each profile; or 0 if they do not fit, and *p is what it
- * was. */
-size_t profiles_cache_fill(profiles_cache_t *c, profiles_t *p, void *mem, size_t bytes);
+ * was. tick (may be NULL) is called once a profile, for progress. */
+size_t profiles_cache_fill(profiles_cache_t *c, profiles_t *p, void *mem, size_t bytes,
+                           void (*tick)(void *ctx, int32_t done, int32_t of), void *tick_ctx);
 
 #endif

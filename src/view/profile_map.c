@@ -3,11 +3,13 @@
 
 #include "error.h"
 
-int profile_map_measure(profile_map_t *m, const profiles_t *src) {
+int profile_map_measure(profile_map_t *m, const profiles_t *src, void (*tick)(void *ctx, int32_t done, int32_t of),
+                        void *tick_ctx) {
     *m = (profile_map_t){.src = src};
     bool any = false;
     for (int32_t k = 0; k < src->count; k++) {
         int32_t n = src->points(src->ctx, k);
+        if (tick) tick(tick_ctx, k, src->count);
         for (int32_t v = 0; v < n; v++) {
             num_t p[3];
             src->point(src->ctx, k, v, p);

@@ -15,8 +15,10 @@ typedef struct profile_map {
     line_space_t lines;
 } profile_map_t;
 
-/* Measures the box of the defined points. Returns 0 or ERR_EMPTY. src outlives m. */
-int profile_map_measure(profile_map_t *m, const profiles_t *src);
+/* Measures the box of the defined points. Returns 0 or ERR_EMPTY. src outlives m. tick (may be NULL) is called once a
+ * profile, for progress. */
+int profile_map_measure(profile_map_t *m, const profiles_t *src, void (*tick)(void *ctx, int32_t done, int32_t of),
+                        void *tick_ctx);
 /* Prepares m->lines for a camera, which outlives m. Returns 0 or ERR_VALUE. */
 int profile_map_setup(profile_map_t *m, const camera_t *cam);
 

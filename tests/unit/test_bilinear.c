@@ -68,9 +68,9 @@ static void cache_gives_the_same_points(void **state) {
     profiles_t p = src;
     profiles_cache_t cache;
     const size_t need = 32 + 11 * 3 * sizeof(num_t); /* 2 + 0 + 4 + 5 points */
-    assert_int_equal(profiles_cache_fill(&cache, &p, mem, need - 1), 0);
+    assert_int_equal(profiles_cache_fill(&cache, &p, mem, need - 1, NULL, NULL), 0);
     assert_memory_equal(&p, &src, sizeof p);
-    assert_int_equal(profiles_cache_fill(&cache, &p, mem, sizeof mem), need);
+    assert_int_equal(profiles_cache_fill(&cache, &p, mem, sizeof mem, NULL, NULL), need);
     asked = 0;
     for (int32_t k = 0; k < 4; k++) {
         assert_int_equal(p.points(p.ctx, k), count_points(NULL, k));
