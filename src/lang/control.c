@@ -3,7 +3,6 @@
  * A logical line holds a whole block: lines are joined until its braces are closed. So control is a matter of going to
  * another place of the line, and what is open is a small stack of places; nothing recurses. */
 #include "lang/session_parts.h"
-#include "lang/text_funcs.h"
 
 #if CONFIG_CONTROL
 static void go_to(lexer_t *lx, uint32_t at) {
@@ -29,16 +28,21 @@ static void skip_line(lexer_t *lx, bool up_to_else) {
     }
 }
 
-/* At a { : what stands behind it is executed. */
-static int open_block(session_t *s, lexer_t *lx, session_block_t block) {
+static int push(session_t *s, const lexer_t *lx, const session_block_t *block) {
     session_frame_t *f = session_top(s);
     if (f->blocks == CONFIG_BLOCKS)
         return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "blocks within blocks; most",
                                      CONFIG_BLOCKS);
-    block.body = lx->pos;
-    f->block[f->blocks++] = block;
-    lexer_next(lx);
+    f->block[f->blocks++] = *block;
     return 0;
+}
+
+/* At a { : what stands behind it is executed. */
+static int open_block(session_t *s, lexer_t *lx, session_block_t block) {
+    block.body = lx->pos;
+    int err = push(s, lx, &block);
+    if (!err) lexer_next(lx);
+    return err;
 }
 
 static int condition(session_t *s, lexer_t *lx, bool *yes) {
@@ -111,7 +115,6 @@ static int else_command(session_t *s, lexer_t *lx, const lexer_t *word) {
 
 static int if_command(session_t *s, lexer_t *lx) {
     bool yes;
-    s->alternative = ALTERNATIVE_PASSED; /* also should a mistake come */
     int err = condition(s, lx, &yes);
     if (err) return err;
     if (lx->tok.kind == '{') return body(s, lx, yes);
@@ -125,109 +128,75 @@ static int if_command(session_t *s, lexer_t *lx) {
     return lexer_is_name(lx, "else") ? take_else(s, lx) : 0;
 }
 
-/* The variable of a range, and what it held before. */
-static int begin(session_t *s, const lexer_t *name, control_range_t *r) {
-    lang_t *l = &s->lang;
-    r->now = r->first;
-    r->symbol = names_intern(l, SYMBOL_VARIABLE, lexer_text(name), name->tok.len, lexer_column(name), &s->error);
-    if (r->symbol < 0) return r->symbol;
-    r->was_defined = names_value(l, r->symbol, &r->before);
-    return r->was_defined ? session_keep(s, name, &r->before) : 0;
-}
-
-/* Behind `in`: a text, whose words are counted through. */
-static int words(session_t *s, lexer_t *lx, control_range_t *r) {
-    const lexer_t at = *lx;
-    value_t v;
-    int err = expr_value(&s->lang, lx, &v, &s->error);
-    if (err) return err;
-    if (v.kind != VALUE_TEXT) return lexer_unexpected(&at, &s->error, "a text with words expected");
-    err = session_keep(s, &at, &v);
-    if (err) return err;
-    r->words = value_chars(v);
-    text_words(&s->lang, &v, 1);
-    r->first = r->step = 1;
-    r->last = v.m;
-    return lexer_accept(lx, ']') ? 0 : lexer_unexpected(lx, &s->error, "']' expected");
-}
-
-int control_range(session_t *s, lexer_t *lx, control_range_t *r) {
-    int32_t v[3] = {0, 0, 1};
-    const lexer_t at = *lx;
-    if (!lexer_accept(lx, '[')) return lexer_unexpected(lx, &s->error, "[i=first:last] expected");
-    const lexer_t name = *lx;
-    if (lx->tok.kind == TOKEN_NAME) lexer_next(lx);
-    r->words = NULL;
-    r->open = false;
-    if (name.tok.kind == TOKEN_NAME && lexer_is_name(lx, "in")) {
-        lexer_next(lx);
-        int err = words(s, lx, r);
-        if (err) return err;
-        return begin(s, &name, r);
-    }
-    if (name.tok.kind != TOKEN_NAME || !lexer_accept(lx, '='))
-        return lexer_unexpected(lx, &s->error, "[i=first:last] expected");
-    for (int k = 0; k < 3; k++) {
-        if (k == 1 && lexer_accept(lx, '*')) {
-            v[1] = INT32_MAX;
-            r->open = true;
-            if (!lexer_accept(lx, ':')) break;
-            continue;
-        }
-        int err = set_integer(s, lx, INT32_MIN, INT32_MAX, &v[k], "this number is out of range");
-        if (err) return err;
-        if (k > 0 && lx->tok.kind != ':') break;
-        if (k < 2 && !lexer_accept(lx, ':')) return lexer_unexpected(lx, &s->error, "':' expected");
-    }
-    if (!lexer_accept(lx, ']')) return lexer_unexpected(lx, &s->error, "']' expected");
-    if (v[2] == 0) return session_fail(s, &at, ERR_VALUE, "the step is 0");
-    r->first = v[0];
-    r->last = v[1];
-    r->step = v[2];
-    return begin(s, &name, r);
-}
-
-bool control_within(const control_range_t *r) {
-    return r->step > 0 ? r->now <= r->last : r->now >= r->last;
-}
-
-void control_set(session_t *s, const control_range_t *r) {
-    value_t v[2] = {value_int(r->now), value_int(r->now)};
-    if (r->words) {
-        s->texts.working = 0;
-        v[0] = value_text(r->words, strlen(r->words));
-        text_word(&s->lang, v, 2);
-    }
-    names_assign(&s->lang, r->symbol, v[0]); /* a word that finds no room is missed when it is asked for */
-}
-
-void control_restore(session_t *s, const control_range_t *r) {
-    if (r->was_defined)
-        names_assign(&s->lang, r->symbol, r->before);
-    else
-        names_forget(&s->lang, r->symbol);
-}
-
 static int one_turn_more(session_t *s, const lexer_t *lx) {
     if (s->turns++ < CONFIG_TURNS) return 0;
     return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "a loop goes round too often; most turns",
                                  CONFIG_TURNS);
 }
 
+/* Is the innermost block a `for` in front of another one, in which nothing is left to do? */
+static session_block_t *outer_for(session_t *s) {
+    session_frame_t *f = session_top(s);
+    session_block_t *b = f->blocks > 0 ? &f->block[f->blocks - 1] : NULL;
+    return b && b->kind == BLOCK_FOR && b->again ? b : NULL;
+}
+
+/* At a `for`: it, and those that follow it, are begun. Returns 1 when the block is executed, 0 when there is no value
+ * for it, and it was passed over. */
+static int begin_for(session_t *s, lexer_t *lx) {
+    for (;;) {
+        session_block_t block = {.kind = BLOCK_FOR};
+        lexer_next(lx);
+        int err = control_range(s, lx, &block.range);
+        if (err) return err;
+        const bool outer = lexer_is_name(lx, "for");
+        if (!outer && lx->tok.kind != '{') return lexer_unexpected(lx, &s->error, "'{' expected");
+        if (!control_within(&block.range)) break;
+        control_set(s, &block.range);
+        if (!outer) {
+            err = open_block(s, lx, block);
+            return err ? err : 1;
+        }
+        block.again = lx->tok.start;
+        err = push(s, lx, &block);
+        if (err) return err;
+    }
+    while (lx->tok.kind != '{' && lx->tok.kind != TOKEN_END) lexer_next(lx);
+    lexer_accept(lx, '{');
+    skip_block(lx);
+    return 0;
+}
+
+/* Behind the } of the innermost block, a `for`: again, or on. */
+static int next_turn(session_t *s, lexer_t *lx, session_block_t *b) {
+    while (b) {
+        int err = one_turn_more(s, lx);
+        if (err) return err;
+        b->range.now += b->range.step;
+        if (!control_within(&b->range)) {
+            control_restore(s, &b->range);
+            session_top(s)->blocks--;
+        } else {
+            control_set(s, &b->range);
+            if (!b->again) {
+                go_to(lx, b->body);
+                return 0;
+            }
+            go_to(lx, b->again);
+            err = begin_for(s, lx);
+            if (err) return err < 0 ? err : 0;
+        }
+        b = outer_for(s);
+    }
+    s->alternative = ALTERNATIVE_NONE;
+    return session_expect_end(s, lx);
+}
+
 static int do_command(session_t *s, lexer_t *lx) {
     if (!lexer_is_name(lx, "for")) return lexer_unexpected(lx, &s->error, "`for` expected");
-    lexer_next(lx);
-    session_block_t block = {.kind = BLOCK_FOR};
-    int err = control_range(s, lx, &block.range);
-    if (err) return err;
-    if (lx->tok.kind != '{') return lexer_unexpected(lx, &s->error, "'{' expected");
-    if (control_within(&block.range)) {
-        control_set(s, &block.range);
-        return open_block(s, lx, block);
-    }
-    lexer_next(lx);
-    skip_block(lx);
-    return session_expect_end(s, lx);
+    const int err = begin_for(s, lx);
+    if (err) return err < 0 ? err : 0;
+    return next_turn(s, lx, outer_for(s));
 }
 
 static int while_command(session_t *s, lexer_t *lx) {
@@ -247,17 +216,7 @@ static int while_command(session_t *s, lexer_t *lx) {
 static int end_block(session_t *s, lexer_t *lx) {
     session_frame_t *f = session_top(s);
     session_block_t *b = &f->block[f->blocks - 1];
-    if (b->kind == BLOCK_FOR) {
-        int err = one_turn_more(s, lx);
-        if (err) return err;
-        b->range.now += b->range.step;
-        if (control_within(&b->range)) {
-            go_to(lx, b->body);
-            control_set(s, &b->range);
-            return 0;
-        }
-        control_restore(s, &b->range);
-    }
+    if (b->kind == BLOCK_FOR) return next_turn(s, lx, b);
     f->blocks--;
     s->alternative = ALTERNATIVE_NONE;
     if (b->kind == BLOCK_IF) return pass_else(s, lx);
@@ -275,6 +234,8 @@ static int leave(session_t *s, lexer_t *lx, const lexer_t *word, bool again) {
     if (again) return end_block(s, lx);
     f->blocks--;
     if (f->block[f->blocks].kind == BLOCK_FOR) control_restore(s, &f->block[f->blocks].range);
+    for (session_block_t *b; (b = outer_for(s)) != NULL; f->blocks--)
+        control_restore(s, &b->range); /* of all of them */
     return session_expect_end(s, lx);
 }
 

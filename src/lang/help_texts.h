@@ -233,7 +233,7 @@ static const struct {
      "substr, word, words, sprintf are functions of them; what is a number counts as one: '3' + 4.\n"},
     {"array", "array A[5]    array A = [1, 'two', 3.5]    A[2] = x    A[i] + |A|    print A\n"},
     {"loops", "do for [i=1:9:2] {...}    while (c) {...}    break    continue    if (c) {...} else {...}\n"
-              "do for [w in 'one two three'] {...}\n"
+              "do for [w in 'one two three'] {...}    do for [i=1:3] for [j=1:i] {...}\n"
               "splot for [i=1:3] i*x*y: one element for each value of i; [i=0:*]: as long as index i has data.\n"
               "Blocks may go over many lines.\n"},
 #if FILES

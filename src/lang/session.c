@@ -72,6 +72,7 @@ void session_cancel(session_t *s) {
     s->plot.waiting = false;
 #if CONFIG_CONTROL
     plot_iteration_end(s);
+    s->alternative = ALTERNATIVE_PASSED; /* of what was under way */
 #endif
     s->rows_left = false;
 #if CONFIG_LOAD_DEPTH

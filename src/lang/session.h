@@ -74,7 +74,7 @@ typedef struct control_range {
 typedef struct session_block {
     enum { BLOCK_IF, BLOCK_ELSE, BLOCK_FOR, BLOCK_WHILE } kind;
     uint32_t body;         /* behind its { */
-    uint32_t again;        /* of a while: its condition */
+    uint32_t again;        /* of a while: its condition; of a for in front of another one: that, else 0 */
     control_range_t range; /* of a for */
 } session_block_t;
 #endif

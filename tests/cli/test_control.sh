@@ -64,9 +64,12 @@ if (1) print 1; else print 2; do for [i=1:2] {
 if (0) print 1; do for [i=1:2] {
   print i
 }; print 4; else print 6
+do for [i=1:3] for [j=i:2] { print i, j }
+do for [w in "a b"] for [j=1:2] { do for [k=1:1] for [l=1:2] { if (l == 2 && w eq "a") { break }; print w, j, k, l } }
+do for [i=1:3] for [j=1:2] { if (i == 2) { break }; if (j == 1) { continue }; print i, j }
 END
     ours a.gp >ours.txt 2>&1
-    [ "$(wc -l <ours.txt)" = 49 ]
+    [ "$(wc -l <ours.txt)" = 59 ]
     command -v gnuplot >/dev/null || return 0
     gnuplot a.gp >theirs.txt 2>&1
     diff theirs.txt ours.txt

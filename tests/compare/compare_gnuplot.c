@@ -198,6 +198,8 @@ static bool is_meant(const char *ours_said, const char *theirs_said) {
         "the name of a variable or function", /* does nothing for `undefine` alone, */
         "a text with words expected",         /* has forgotten the variable when the loop is wrong, */
         "the step is 0",
+        "[i=first:last] expected",
+        "nothing to draw",                  /* takes norm(NaN) for 0, */
         "string without its closing quote", /* ends texts with the line, */
         "continues the line",               /* reads on behind a backslash, */
         "is ignored",                       /* knows what the option may say, */

@@ -204,8 +204,7 @@ static void block(draft_t *d, int depth) {
 }
 
 static void statement(draft_t *d, int depth) {
-    static const char *const COUNTS[] = {"1:3",   "2:6:2", "3:1:-1", "0:10:4", "2:1",
-                                         "n:n+2", "1:2",   "1:n/5",  "1.5:3",  "1:3:0"};
+    static const char *const COUNTS[] = {"1:3", "2:6:2", "3:1:-1", "0:10:4", "2:1", "n:n+2", "1:2", "1:n/5", "1.5:3"};
     static const char *const WORDS[] = {"'one two'", "\"q  r s\"", "t", "''", "s.' '.t", "3"};
     static const char *const ELSE[] = {" else ", "\nelse ", "; else "};
     static int loop;
@@ -220,6 +219,7 @@ static void statement(draft_t *d, int depth) {
         break;
     case 9:
         add(d, "do for [%s=%s] ", name(d), PICK(COUNTS));
+        if (below(d, 4) == 0) add(d, "for [%s=%s] ", name(d), PICK(COUNTS));
         block(d, depth);
         break;
     case 10:
@@ -250,7 +250,7 @@ static void statement(draft_t *d, int depth) {
 
 /* A slip: a character left out, doubled, or another one; blanks where there were none. */
 static void slip(draft_t *d, size_t from) {
-    static const char OTHERS[] = "()[]:;,.'\"=+-*/ 01xa#\\&|<>!?$@^~%";
+    static const char OTHERS[] = "()[]:;,.'\"=+-*/ 01xa#\\&|<>!?$^~%";
     /* Loops might not end, and most options are not looked at. */
     if (d->len - from < 2 || strstr(d->text + from, "while") || strstr(d->text + from, "set ")) return;
     const size_t at = from + (size_t)below(d, (int)(d->len - from));
