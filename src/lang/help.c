@@ -43,14 +43,14 @@ static size_t topic_of(const char *word, size_t len) {
 static const struct {
     const char *word, *topic;
 } UNDER[] = {
-    {"u$sing", "data"},   {"i$ndex", "data"},         {"ev$ery", "data"},        {"skip", "data"},
-    {"mat$rix", "data"},  {"nonuni$form", "data"},    {"trans$late", "solids"},  {"ro$tate", "solids"},
-    {"sc$ale", "solids"}, {"translucent", "solids"},  {"t$itle", "splot"},       {"not$itle", "splot"},
-    {"w$ith", "splot"},   {"for", "loops"},           {"ur$ange", "parametric"}, {"vr$ange", "parametric"},
-    {"exists", "texts"},  {"pi", "functions"},        {"NaN", "functions"},      {"va$riables", "show"},
-    {"all", "show"},      {"operators", "functions"}, {"home", "board"},         {"stop", "board"},
-    {"unlock", "board"},  {"status", "board"},        {"memory", "board"},       {"autorun", "board"},
-    {"motors", "board"},  {"save", "board"},
+    {"u$sing", "data"},        {"bin$ary", "data"},  {"i$ndex", "data"},         {"ev$ery", "data"},
+    {"skip", "data"},          {"mat$rix", "data"},  {"nonuni$form", "data"},    {"trans$late", "solids"},
+    {"ro$tate", "solids"},     {"sc$ale", "solids"}, {"translucent", "solids"},  {"t$itle", "splot"},
+    {"not$itle", "splot"},     {"w$ith", "splot"},   {"for", "loops"},           {"ur$ange", "parametric"},
+    {"vr$ange", "parametric"}, {"exists", "texts"},  {"pi", "functions"},        {"NaN", "functions"},
+    {"va$riables", "show"},    {"all", "show"},      {"operators", "functions"}, {"home", "board"},
+    {"stop", "board"},         {"unlock", "board"},  {"status", "board"},        {"memory", "board"},
+    {"autorun", "board"},      {"motors", "board"},  {"save", "board"},
 };
 
 /* The topic of a word that has none of its own, or the number of topics. */
