@@ -40,10 +40,10 @@ fi
 # does not follow.
 if have cppcheck; then
     # shellcheck disable=SC2086
-    cppcheck -q --std=c11 -Isrc -I. -UHELP_PACKED --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
+    cppcheck -q --std=c11 -Isrc -I. -UHELP_PACKED -UPACKED_PAIRS --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
         --suppress=missingIncludeSystem --suppress=internalAstError \
         --suppress=shiftTooManyBitsSigned --suppress=shiftNegativeLHS --suppress=zerodivcond --suppress=objectIndex \
-        --suppress=arrayIndexThenCheck \
+        --suppress=arrayIndexThenCheck --suppress=arrayIndexOutOfBoundsCond:src/scene/decimal_scan.h \
         --suppress=uninitvar:src/hidden/surface/windows_close.c --suppress=uninitvar:src/hidden/surface/edges_windows.c \
         --suppress=uninitvar:src/hidden/area/area_wires.c --suppress=uninitvar:src/hidden/surface/shaded.c \
         --suppress=ctuuninitvar:src/hidden/area/area_place.c $sources

@@ -34,7 +34,7 @@ static int size(session_t *s, lexer_t *lx, int32_t n[2]) {
     if (err) return err;
     const bool both = lexer_accept(lx, '(');
     n[1] = 1;
-    for (int k = 0; k <= both && !err; k++) {
+    for (int k = 0; k < (both ? 2 : 1) && !err; k++) {
         const lexer_t at = *lx;
         if (k > 0 && !lexer_accept(lx, ',')) return lexer_unexpected(lx, &s->error, ", expected");
         err = set_integer(s, lx, -1, SIZE_MAX_, &n[k], WRONG);
