@@ -156,11 +156,26 @@ static int write_outputs(job_t *job, const machine_t *machine, char *const *name
     return 0;
 }
 
+/* Is this name of a later page also that of another output's first one? */
+static bool is_an_output(const job_t *job, const char *name) {
+    for (int i = 0; i < job->outputs; i++)
+        if (strcmp(job->output[i], name) == 0) return true;
+    return false;
+}
+
 /* The page's file names, NULL at the end. */
 static bool make_names(const job_t *job, int page, char **name) {
     for (int i = 0; i < job->outputs; i++) {
         char path[PATH_MAX];
-        if (!writer_page_name(path, sizeof path, job->output[i], job->overwrite ? 1 : page)) return false;
+        if (!writer_page_name(path, sizeof path, job->output[i], job->overwrite ? 1 : page)) {
+            fprintf(stderr, "ridgeline: page %d: the name of an output is too long\n", page);
+            return false;
+        }
+        if (page > 1 && !job->overwrite && is_an_output(job, path)) {
+            fprintf(stderr, "ridgeline: page %d of %s would be %s, which is an output itself\n", page, job->output[i],
+                    path);
+            return false;
+        }
         name[i] = strdup(path);
         if (!name[i]) return false;
     }
@@ -182,10 +197,7 @@ static int draw_page(job_t *job, const plot_t *plot, char **name) {
     d->width_um = settings->paper.width_um;
     d->height_um = settings->paper.height_um;
     drawing_set_title(d, settings->title);
-    if (!make_names(job, job->pages + 1, name)) {
-        fprintf(stderr, "ridgeline: page %d: the name of an output is too long\n", job->pages + 1);
-        return job->trouble = ERR_FILE;
-    }
+    if (!make_names(job, job->pages + 1, name)) return job->trouble = ERR_FILE;
     const bool streams = begin_stream(job, plot, name[0]);
     is_to_stop = 0;
     if (setjmp(stopped)) {

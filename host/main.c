@@ -2,6 +2,7 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "host/gpio.h"
@@ -41,10 +42,26 @@ static int cannot(const char *name, int status) {
     return status;
 }
 
+/* The output that is the scene itself, or NULL. */
+static const char *output_that_is(FILE *scene, const options_t *o) {
+    struct stat read, written;
+    if (fstat(fileno(scene), &read) != 0 || !S_ISREG(read.st_mode)) return NULL;
+    for (int i = 0; i < o->outputs; i++)
+        if (stat(o->output[i], &written) == 0 && written.st_dev == read.st_dev && written.st_ino == read.st_ino)
+            return o->output[i];
+    return NULL;
+}
+
 /* Commands from a file or from stdin, to the end or the first error. */
 static int run_scene(const options_t *o, FILE *scene, const char *name) {
     static job_t job;
     static char base[64]; /* job.name points to it */
+    const char *itself = output_that_is(scene, o);
+    if (itself) {
+        fprintf(stderr, "ridgeline: %s: is the scene itself, which a drawing would replace; name another output\n",
+                itself);
+        return SCRIPT_BAD_INPUT;
+    }
     configure(&job, o);
     job.name = base_name(name, base, sizeof base);
     if (o->stats) {

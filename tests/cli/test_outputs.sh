@@ -75,5 +75,21 @@ a_folder_in_which_nothing_can_be_made() {
     cmp want.seg closed/a.seg
 }
 
-run_tests one_output_is_as_several what_fails_changes_nothing a_killed_program_leaves_the_old_file \
+no_drawing_takes_the_place_of_another_or_the_scene() {
+    printf 'set isosamples 8\nsplot x*y; splot x+y\n' >pages.gp
+    expect_status 1 ridgeline plot pages.gp -o q.svg -o q-2.svg 2>err
+    expect_text err 'page 2 of q.svg would be q-2.svg, which is an output itself'
+    cmp q.svg q-2.svg
+    small_scene
+    cp small.gp small.seg
+    ln small.seg other.seg
+    for name in small.seg ./small.seg other.seg; do
+        expect_status 2 ridgeline plot small.seg -o fine.svg -o $name 2>err
+        expect_text err "$name: is the scene itself"
+    done
+    cmp small.gp small.seg
+    [ ! -e fine.svg ]
+}
+
+run_tests one_output_is_as_several no_drawing_takes_the_place_of_another_or_the_scene what_fails_changes_nothing a_killed_program_leaves_the_old_file \
     what_is_no_plain_file_is_written_to a_folder_in_which_nothing_can_be_made
