@@ -42,6 +42,7 @@ static int size(session_t *s, lexer_t *lx, int32_t n[2]) {
         if (!err && both && k == 0 && n[0] < 0)
             err = session_fail(s, &at, ERR_UNSUPPORTED, "only the number of rows may be -1");
     }
+    if (n[0] < 0) n[1] = -1; /* one row, of all there are */
     if (!err && both && !lexer_accept(lx, ')')) err = lexer_unexpected(lx, &s->error, ") expected");
     if (!err && lx->tok.kind == ':') err = session_fail(s, lx, ERR_UNSUPPORTED, "one record of a file is drawn");
     return err;

@@ -197,7 +197,8 @@ static int read_all(session_t *s, session_source_t *src, int handle) {
     data_binary_t *b = &s->plot.binary;
     if (src->binary) {
         if (!err) data_binary_start(b, &src->layout, &s->plot.reader);
-        for (int n; !err && (n = port->read(port->ctx, handle, c->bytes, CONFIG_READ_CHUNK)) != 0;)
+        for (int n; !err && !data_binary_is_complete(b) &&
+                    (n = port->read(port->ctx, handle, c->bytes, CONFIG_READ_CHUNK)) != 0;)
             err = n < 0 ? n : data_binary_feed(b, c->bytes, (size_t)n);
         if (!err) err = data_binary_finish(b);
         return err ? plot_data_failed(s, src, err) : plot_data_done(s);

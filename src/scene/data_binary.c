@@ -84,7 +84,6 @@ static void imply(data_binary_t *b) {
 /* A field of a point. */
 static int field(data_binary_t *b, num_t v) {
     const binary_spec_t *s = b->spec;
-    if (s->n[1] >= 0 && b->row >= s->n[1]) return 0; /* more than was asked for */
     if (!s->field[b->field].dropped) b->value[b->columns++] = v;
     if (++b->field < s->fields) return 0;
     if (s->layout == BINARY_ARRAY) imply(b);
@@ -96,6 +95,11 @@ static int field(data_binary_t *b, num_t v) {
     return data_reader_break(b->reader);
 }
 
+bool data_binary_is_complete(const data_binary_t *b) {
+    const binary_spec_t *s = b->spec;
+    return s->layout != BINARY_MATRIX && s->n[1] >= 0 && b->row >= s->n[1];
+}
+
 int data_binary_feed(data_binary_t *b, const char *bytes, size_t n) {
     const binary_spec_t *s = b->spec;
     const uint8_t *p = (const uint8_t *)bytes, *end = p + n;
@@ -105,7 +109,7 @@ int data_binary_feed(data_binary_t *b, const char *bytes, size_t n) {
     }
     p += b->skip;
     b->skip = 0;
-    while (p < end) {
+    while (p < end && !data_binary_is_complete(b)) {
         const binary_field_t *f = s->layout == BINARY_MATRIX ? &FLOAT : &s->field[b->field];
         const uint8_t *at = p;
         if (b->part_n || end - p < f->bytes) { /* a number that is cut */
@@ -127,7 +131,7 @@ int data_binary_finish(data_binary_t *b) {
     const binary_spec_t *s = b->spec;
     if (b->part_n || b->field) return refuse(b, DATA_BINARY_SHORT);
     if (s->layout == BINARY_MATRIX) return b->row == 0 || b->at ? refuse(b, DATA_BINARY_SHORT) : 0;
-    if (s->n[1] >= 0 ? b->row < s->n[1] : s->n[0] >= 0 && b->at) return refuse(b, DATA_BINARY_SHORT);
-    return 0;
+    if (data_binary_is_complete(b)) return 0;
+    return s->n[1] >= 0 || (s->n[0] >= 0 && b->at) ? refuse(b, DATA_BINARY_SHORT) : 0;
 }
 #endif

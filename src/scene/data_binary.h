@@ -54,8 +54,10 @@ typedef struct data_binary {
 void binary_spec_default(binary_spec_t *spec);
 /* reader has been started; its spec's format is DATA_ROWS. */
 void data_binary_start(data_binary_t *b, const binary_spec_t *spec, data_reader_t *reader);
-/* Takes n bytes. Errors are the reader's. */
+/* Takes n bytes, or fewer when no more are wanted. Errors are the reader's. */
 int data_binary_feed(data_binary_t *b, const char *bytes, size_t n);
+/* Is all there that was asked for? The rest of the file may be of any length. */
+bool data_binary_is_complete(const data_binary_t *b);
 /* The end of the file: 0, or ERR_DATA when it came too soon. data_reader_finish() is next. */
 int data_binary_finish(data_binary_t *b);
 #endif

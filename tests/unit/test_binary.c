@@ -85,6 +85,7 @@ static void points_are_gnuplots(void **state) {
         {floats, "binary array=(4,5) skip=16 using 1"},
         {floats, "binary array=(4,3) format='%*float%float' using 1"},
         {floats, "binary array=(4,6) using 1 every 1:2"},
+        {floats, "binary array=(4,2) format='%float' using 1"},
         {doubles, "binary array=(4,3) format='%double'"},
         {doubles, "binary array=(4,3) format='%float64' using 1"},
         {records, "binary record=(4,3) format='%float%*short%2float' using 1:2:3"},
@@ -218,6 +219,25 @@ static void curves(void **state) {
     assert_int_equal(fixture_feed(f, "plot 'f' binary array=24 dx=0.5 using 1"), 0);
     assert_int_equal(f->points, 24);
     assert_true(fabs(f->x[3] - 1.5) < 1e-12);
+    assert_int_equal(fixture_feed(f, "plot 'f' binary array=-1 using 1"), 0);
+    assert_int_equal(f->points, 24);
+    assert_int_equal(fixture_feed(f, "plot 'f' binary record=-1 using 1:2"), 0);
+    assert_int_equal(f->points, 12);
+}
+
+/* What follows what was asked for is not looked at: half a number, or a file without an end. */
+static void the_rest_is_left(void **state) {
+    fixture_t *f = *state;
+    bytes_t b = {.n = 0};
+    floats(&b);
+    put(&b, "xyz", 3);
+    fixture_file(f, 0, "f", b.at);
+    f->file[0].size = b.n;
+    assert_int_equal(fixture_feed(f, "splot 'f' binary array=(4,6) using 1"), 0);
+    assert_int_equal(f->points, 24);
+    assert_int_equal(fixture_feed(f, "plot 'f' binary record=12 using 1:2"), 0);
+    assert_int_equal(f->points, 12);
+    assert_int_equal(fixture_feed(f, "splot 'f' binary array=(4,-1) using 1"), ERR_DATA);
 }
 
 int main(void) {
@@ -227,6 +247,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(mistakes, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(the_pool_may_be_full, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(curves, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(the_rest_is_left, fixture_setup, fixture_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
