@@ -19,6 +19,10 @@ int block_command(session_t *s, lexer_t *lx) {
     int err = block_name(s, lx, s->block, sizeof s->block);
     if (err) return err;
     if (lx->tok.kind != TOKEN_SHL) return lexer_unexpected(lx, &s->error, "<< and a word that ends the data expected");
+#if CONFIG_CONTROL
+    if (session_top(s)->blocks > 0) /* its lines have been joined with those of the block */
+        return session_fail(s, &at, ERR_SYNTAX, "a data block cannot begin within { }");
+#endif
     lexer_next(lx);
     if (lx->tok.kind != TOKEN_NAME) return lexer_unexpected(lx, &s->error, "a word that ends the data expected");
     if (lx->tok.len >= sizeof s->block_end) return session_fail(s, lx, ERR_FULL, "this word is too long");

@@ -109,6 +109,9 @@ MISTAKES
     expect_status 2 ours a.gp 2>err
     expect_text err '"a.gp", line 4, column 12: a value expected'
     expect_text err '  print 1 +'
+    printf 'do for [i=1:2] {\n  $d << END\n1 2\nEND\n}\nprint 3\n' >a.gp
+    expect_status 2 ours a.gp >out 2>err
+    expect_text err '"a.gp", line 2, column 3: a data block cannot begin within { }'
     printf 'if (1) {\n  print 2\n' >a.gp
     expect_status 2 ours a.gp 2>err
     expect_text err 'a { is not closed'
