@@ -107,23 +107,21 @@ bool array_is_whole(const session_t *s, const lexer_t *lx) {
     return next.tok.kind != '[' && array_at(s, lx) != NULL;
 }
 
-void array_print(session_t *s, lexer_t *lx) {
+int array_print(session_t *s, lexer_t *lx) {
     const symbol_t *a = array_at(s, lx);
-    session_say(s, "[");
-    for (int i = 0; i < a->u.cells.len; i++) {
+    int err = session_say(s, "[");
+    for (int i = 0; i < a->u.cells.len && !err; i++) {
         const value_t v = s->lang.cell[a->u.cells.start + i];
-        char number[VALUE_TEXT_MAX];
-        if (i > 0) session_say(s, ",");
-        if (v.kind == VALUE_TEXT) {
-            session_say(s, "\"");
-            session_say(s, value_chars(v));
-            session_say(s, "\"");
-        } else if (v.kind != VALUE_UNDEF) {
-            value_format(v, number);
-            session_say(s, number);
-        }
+        const bool quoted = v.kind == VALUE_TEXT;
+        char number[VALUE_TEXT_MAX] = "";
+        if (v.kind != VALUE_UNDEF && !quoted) value_format(v, number);
+        if (i > 0) err = session_say(s, ",");
+        if (!err && quoted) err = session_say(s, "\"");
+        if (!err) err = session_say(s, quoted ? value_chars(v) : number);
+        if (!err && quoted) err = session_say(s, "\"");
     }
-    session_say(s, "]");
+    if (!err) err = session_say(s, "]");
     lexer_next(lx);
+    return err;
 }
 #endif

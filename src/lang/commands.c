@@ -2,14 +2,12 @@
 #include "lang/session_parts.h"
 
 /* What is printed, which `set print` may send to a data block. */
-void session_say(session_t *s, const char *text) {
+int session_say(session_t *s, const char *text) {
 #if CONFIG_LOAD_DEPTH
-    if (s->print_to[0]) {
-        s->port->keep(s->port->ctx, s->print_to, text, strlen(text));
-        return;
-    }
+    if (s->print_to[0]) return s->port->keep(s->port->ctx, s->print_to, text, strlen(text));
 #endif
     s->port->print(s->port->ctx, text);
+    return 0;
 }
 
 /* print a, "text", b: one line, a blank between values. Values go out as they are computed, so a line has no limit. */
@@ -21,8 +19,8 @@ static int print_command(session_t *s, lexer_t *lx) {
         const char *text = number;
 #if CONFIG_CONTROL
         if (array_is_whole(s, lx)) {
-            if (!first) session_say(s, " ");
-            array_print(s, lx);
+            if (!first) err = session_say(s, " ");
+            if (!err) err = array_print(s, lx);
             first = false;
             continue;
         }
@@ -41,11 +39,12 @@ static int print_command(session_t *s, lexer_t *lx) {
                 value_format(v, number);
         }
         if (err) break;
-        if (!first) session_say(s, " ");
-        session_say(s, text);
+        if (!first) err = session_say(s, " ");
+        if (!err) err = session_say(s, text);
         first = false;
-    } while (lexer_accept(lx, ','));
-    if (!first) session_say(s, "\n");
+    } while (!err && lexer_accept(lx, ','));
+    const int ended = first ? 0 : session_say(s, "\n"); /* what went out before a mistake has its line, too */
+    if (!err) err = ended;
     return err ? err : session_expect_end(s, lx);
 }
 

@@ -51,7 +51,7 @@ bool session_may_be_text(const session_t *s, const lexer_t *lx);
 int array_command(session_t *s, lexer_t *lx);
 int array_assign(session_t *s, lexer_t *lx);
 bool array_is_whole(const session_t *s, const lexer_t *lx);
-void array_print(session_t *s, lexer_t *lx);
+int array_print(session_t *s, lexer_t *lx);
 #else
 static inline bool session_is_text(const session_t *s, const lexer_t *lx) {
     (void)s;
@@ -85,7 +85,7 @@ void control_restore(session_t *s, const control_range_t *r);
 #endif
 
 /* commands.c */
-void session_say(session_t *s, const char *text);
+int session_say(session_t *s, const char *text);
 int command_execute(session_t *s, lexer_t *lx);
 
 #if CONFIG_CONTROL

@@ -132,6 +132,32 @@ static void abbreviations_are_gnuplots(void **state) {
     assert_string_equal(f->out, "");
 }
 
+static size_t kept_room;
+static int keep_little(void *ctx, const char *name, const char *text, size_t n) {
+    (void)ctx, (void)name;
+    if (!text) return 0;
+    if (n > kept_room) return ERR_FULL;
+    kept_room -= n;
+    return 0;
+}
+
+/* A data block that finds no memory for what is printed. */
+static void print_tells_what_is_not_kept(void **state) {
+    fixture_t *f = *state;
+    f->port.keep = keep_little;
+    kept_room = 100;
+    assert_int_equal(fixture_feed(f, "array A = [1, 'b', 3]; set print $d"), 0);
+    const size_t line = strlen("10 [1,\"b\",3] 20\n");
+    for (size_t room = 0; room <= line; room++) {
+        kept_room = room;
+        f->err[0] = '\0';
+        assert_int_equal(fixture_feed(f, "print 10, A, 20"), room < line ? ERR_FULL : 0);
+        assert_int_equal(strlen(f->err) > 0, room < line);
+    }
+    assert_int_equal(fixture_feed(f, "set print; print 4"), 0);
+    assert_string_equal(f->out, "4\n");
+}
+
 static void print_is_gnuplots(void **state) {
     fixture_t *f = *state;
     assert_int_equal(fixture_feed(f, "print 'a', 3, 1.5, 1/3.,1e10,1e-10,100000.0*1e10, 7/2, -2**2"), 0);
@@ -299,6 +325,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(errors_have_a_place, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(a_report_shows_the_place, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(continued_lines_keep_their_places, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(print_tells_what_is_not_kept, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(abbreviations_are_gnuplots, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(print_is_gnuplots, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(known_options_warn_once, fixture_setup, fixture_teardown),
