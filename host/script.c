@@ -148,6 +148,11 @@ static int port_pause(void *ctx, const char *prompt, int32_t ms) {
     return 0;
 }
 
+static int port_turn(void *ctx) {
+    (void)ctx;
+    return is_to_stop ? stopped() : 0;
+}
+
 static int port_plot(void *ctx, const plot_t *plot) {
     (void)ctx;
     const session_t *s = &script.session;
@@ -176,6 +181,7 @@ void script_begin(job_t *job, bool waits) {
         .close = port_close,
         .keep = port_keep,
         .pause = port_pause,
+        .turn = port_turn,
         .plot = port_plot,
     };
     script.job = job;

@@ -91,6 +91,14 @@ static int port_pause(void *ctx, const char *prompt, int32_t ms) {
     return 0;
 }
 
+#if CONFIG_CONTROL
+static int port_turn(void *ctx) {
+    console_t *c = ctx;
+    realtime_poll(&c->realtime);
+    return c->realtime.cancelled ? ERR_STOPPED : 0;
+}
+#endif
+
 static int port_plot(void *ctx, const plot_t *plot) {
     return console_draw(ctx, plot);
 }
@@ -208,14 +216,14 @@ void console_begin(console_t *c, const console_config_t *config) {
     memset(c, 0, sizeof *c);
     size_t motion_bytes = (config->motion_bytes + 7) / 8 * 8;
     uint8_t *memory = config->memory;
-    c->port = (session_port_t){.ctx = c,
-                               .print = port_print,
-                               .warn = port_warn,
-                               .open = port_open,
-                               .read = port_read,
-                               .close = port_close,
-                               .pause = port_pause,
-                               .plot = port_plot};
+    c->port = (session_port_t) {
+        .ctx = c, .print = port_print, .warn = port_warn, .open = port_open, .read = port_read, .close = port_close,
+        .pause = port_pause,
+#if CONFIG_CONTROL
+        .turn = port_turn,
+#endif
+        .plot = port_plot
+    };
     carriage_init(&c->carriage, memory, motion_bytes, poll, c);
     realtime_init(&c->realtime, &c->carriage);
     session_start(&c->session, &c->port, memory + motion_bytes, config->bytes - motion_bytes);

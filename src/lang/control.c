@@ -129,7 +129,7 @@ static int if_command(session_t *s, lexer_t *lx) {
 }
 
 static int one_turn_more(session_t *s, const lexer_t *lx) {
-    if (s->turns++ < CONFIG_TURNS) return 0;
+    if (s->turns++ < CONFIG_TURNS) return s->port->turn ? s->port->turn(s->port->ctx) : 0;
     return lang_error_set_number(&s->error, ERR_FULL, lexer_column(lx), "a loop goes round too often; most turns",
                                  CONFIG_TURNS);
 }

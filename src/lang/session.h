@@ -48,6 +48,10 @@ typedef struct session_port {
 #endif
     /* pause: shows prompt (may be ""), waits ms milliseconds, or for Return when ms < 0. */
     int (*pause)(void *ctx, const char *prompt, int32_t ms);
+#if CONFIG_CONTROL
+    /* A loop goes round once more: 0, or ERR_STOPPED when the user wants no more of it. May be NULL. */
+    int (*turn)(void *ctx);
+#endif
     /* Draws. Called once for every splot, plot and replot. */
     int (*plot)(void *ctx, const plot_t *plot);
 } session_port_t;

@@ -370,6 +370,30 @@ static void test_pause(void **state) {
     HEARD("\r\n14\r\n");
 }
 
+static int fives;
+/* On a board time goes by while it computes. */
+static void listen_for_long(void *ctx, const char *text, size_t bytes) {
+    fix_listen(ctx, text, bytes);
+    for (size_t i = 0; i < bytes; i++) fives += text[i] == '5';
+    sim_run(MS);
+}
+
+/* Ctrl-X ends a loop that draws nothing; each turn feeds the watchdog. */
+static void test_loop(void **state) {
+    (void)state;
+    fives = 0;
+    sim_console_listen(listen_for_long, NULL);
+    fix_type("while (1) { print 5 }; print 17\r");
+    sim_console_type(sim_now() + 20 * SECOND, "\x18", 1);
+    fix_run(30 * SECOND);
+    assert_in_range(fives, 1000, 30000);
+    assert_true(!sim_watchdog_bitten());
+    assert_null(strstr(fix.said, "\r\n17\r\n"));
+    fix_forget();
+    fix_say("print 18\r", SECOND);
+    HEARD("\r\n18\r\n");
+}
+
 /* A cube whose outline (six edges) and creases (three) are drawn with two pens, the first of which is not in the
  * holder. */
 static void test_pens(void **state) {
@@ -426,6 +450,7 @@ int main(void) {
         cmocka_unit_test_setup(test_machine_size, on),
         cmocka_unit_test_setup(test_pen_and_motors, on),
         cmocka_unit_test_setup(test_pause, on),
+        cmocka_unit_test_setup(test_loop, on),
         cmocka_unit_test_setup(test_pens, on),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

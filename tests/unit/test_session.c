@@ -158,6 +158,24 @@ static void print_tells_what_is_not_kept(void **state) {
     assert_string_equal(f->out, "4\n");
 }
 
+static int turns_left;
+static int one_turn(void *ctx) {
+    (void)ctx;
+    return turns_left-- > 0 ? 0 : ERR_STOPPED;
+}
+
+static void loops_can_be_stopped(void **state) {
+    fixture_t *f = *state;
+    f->port.turn = one_turn;
+    turns_left = 5;
+    assert_int_equal(fixture_feed(f, "i = 0; while (1) { i = i + 1 }; print 1"), ERR_STOPPED);
+    turns_left = 7;
+    assert_int_equal(fixture_feed(f, "do for [k=1:9] for [l=1:2] { i = i + 1 }"), ERR_STOPPED);
+    turns_left = 2;
+    assert_int_equal(fixture_feed(f, "print i; do for [k=1:2] { i = k }"), 0);
+    assert_string_equal(f->out, "11\n");
+}
+
 static void print_is_gnuplots(void **state) {
     fixture_t *f = *state;
     assert_int_equal(fixture_feed(f, "print 'a', 3, 1.5, 1/3.,1e10,1e-10,100000.0*1e10, 7/2, -2**2"), 0);
@@ -325,6 +343,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(errors_have_a_place, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(a_report_shows_the_place, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(continued_lines_keep_their_places, fixture_setup, fixture_teardown),
+        cmocka_unit_test_setup_teardown(loops_can_be_stopped, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(print_tells_what_is_not_kept, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(abbreviations_are_gnuplots, fixture_setup, fixture_teardown),
         cmocka_unit_test_setup_teardown(print_is_gnuplots, fixture_setup, fixture_teardown),
