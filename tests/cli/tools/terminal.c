@@ -14,6 +14,7 @@
 #define _GNU_SOURCE
 #include <fcntl.h>
 #include <poll.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -97,6 +98,7 @@ static int start(char **argv) {
         for (int i = 0; i < 3; i++) dup2(inner, i);
         close(inner);
         close(t.fd);
+        signal(SIGINT, SIG_DFL); /* ignored where a shell started the tests with & */
         execvp(argv[0], argv);
         perror(argv[0]);
         _exit(127);
