@@ -160,7 +160,7 @@ int32_t bridges_lay(flat_t *f, int32_t face, int32_t *c) {
         rotate(c, n, done - 1);
     }
     for (done = 1; c[done] != c[0];) done++;
-    for (int32_t more = done; (more = join_one(f, c, done, n)) > done;) done = more;
+    for (int32_t more; (more = join_one(f, c, done, n)) > done;) done = more;
     return done;
 }
 
